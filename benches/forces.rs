@@ -143,7 +143,7 @@ fn turn(linkage: &Linkage, solver: &Kinetostatics) -> impl FnMut() -> f64 {
                 .solve(&at, motion, &options, &mut w)
                 .expect("solvable");
             assert!(solved.unique);
-            sum += w.drive();
+            sum += w.driver_force();
         }
         sum
     }

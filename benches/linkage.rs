@@ -152,7 +152,7 @@ fn bench(c: &mut Criterion) {
             });
         }
         group.bench_function("reduced inertia, potential and forces", |bencher| {
-            bencher.iter(|| linkage.reduced(black_box(&workspace)))
+            bencher.iter(|| linkage.reduced_linkage(black_box(&workspace)))
         });
         group.bench_function("structure, assembly and range", |bencher| {
             bencher.iter(|| Linkage::new(spec.clone()).is_ok())

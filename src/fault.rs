@@ -109,12 +109,12 @@ impl Faults {
 
     /// Adds faults found elsewhere, their paths being relative to `prefix`.
     pub(crate) fn absorb(&mut self, prefix: &str, faults: Vec<Fault>) {
-        self.0.extend(within(prefix, faults));
+        self.0.extend(with_prefix(prefix, faults));
     }
 }
 
 /// Faults whose paths are relative to `prefix`, with their whole paths.
-pub(crate) fn within(prefix: &str, mut faults: Vec<Fault>) -> Vec<Fault> {
+pub(crate) fn with_prefix(prefix: &str, mut faults: Vec<Fault>) -> Vec<Fault> {
     for fault in &mut faults {
         fault.path = match fault.path.as_str() {
             "" => prefix.to_owned(),

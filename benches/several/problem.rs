@@ -109,7 +109,7 @@ impl<E: Equations> Dynamics for ByHand<E> {
         true
     }
 
-    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, _: &mut Room, out: &mut [f64]) {
+    fn derivative_by_time(&self, _: f64, _: &[f64], _: &Modes, _: &mut Room, out: &mut [f64]) {
         out.fill(0.0);
     }
 

@@ -135,7 +135,7 @@ fn words(verdict: Verdict) -> Words {
     (
         sort,
         verdict.headline.to_string(),
-        verdict.said().to_string(),
+        verdict.following_sentence().to_string(),
     )
 }
 

@@ -124,7 +124,7 @@ pub(crate) fn position_jets(
     let made = made.map_err(|fault| fault::scene_error(py, &vec![fault].into()))?;
     let breaks = made.breaks();
     let jets = at.into_iter().map(|phi| {
-        let jet = made.jet(breaks.locate(phi, 1.0), phi);
+        let jet = made.jet(breaks.segment_at(phi, 1.0), phi);
         [jet.value, jet.first, jet.second, jet.third]
     });
     Ok(jets.collect())

@@ -101,7 +101,7 @@ impl Scene {
         directly(py, || {
             let scene = dam::Scene::of(Document::parse(name, text.as_bytes())?);
             Ok(match folder {
-                Some(path) => scene.with_catalogue(Folder::beside(&path)),
+                Some(path) => scene.with_catalogue(Folder::beside_scene(&path)),
                 None => scene,
             })
         })
@@ -602,7 +602,7 @@ fn tree_of(value: &serde_json::Value) -> dam::read::Node {
         Value::Object(members) => {
             let mut tree = dam::read::Node::object();
             for (name, value) in members {
-                tree.put(name, tree_of(value));
+                tree.set_property(name, tree_of(value));
             }
             tree
         }

@@ -95,7 +95,7 @@ fn mapping(value: &Bound<'_, PyAny>, depth: usize) -> PyResult<Node> {
             )));
         };
         if !value.is_none() {
-            tree.put(name.to_str()?, read(&value, depth + 1)?);
+            tree.set_property(name.to_str()?, read(&value, depth + 1)?);
         }
     }
     Ok(tree)

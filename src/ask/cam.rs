@@ -1,6 +1,5 @@
 //! The cam of an object.
 
-use super::ended::NoResult;
 use super::{Mechanism, ModelAssessment, Scene};
 use crate::Error;
 use crate::fault::Fault;
@@ -9,10 +8,10 @@ use crate::kinematics::cam::DiscCam;
 use crate::kinematics::cam::sizing::PressureLimits;
 use crate::studies::Control;
 use crate::studies::cam::{
-    CamFigures, CamForce, Question, Reserve, SpeedSearch, Steady, disc_cam, figures,
-    objects_with_cam, steady_contact,
+    CamFigures, CamForce, ElasticContact, Missing, Question, Reserve, SpeedSearch, disc_cam,
+    figures, objects_with_cam,
 };
-use crate::studies::law::{LiftOff, lift_off};
+use crate::studies::law::LiftOff;
 use std::f64::consts::FRAC_PI_2;
 
 /// What is asked of a cam. SI units, angles in radians.
@@ -114,33 +113,46 @@ impl CamQuestion {
     }
 }
 
-/// The speed of a cam (rad/s) at which its elastic follower begins to leave it; `None`: it was ended
-/// from outside. `prepare`: the scene made ready with a setting, at that speed of the cam.
-pub(crate) fn lift_off_by_runs<E: From<Error>>(
+/// The least speed of a cam (rad/s) at which its elastic follower cannot stay on it; `None`: it was
+/// ended from outside. `report` has each speed before it is tried.
+pub(crate) fn lift_off_speed(
+    ready: &Mechanism,
     search: &SpeedSearch,
     control: &Control<'_>,
-    mut prepare: impl FnMut(String, f64) -> Result<Mechanism, E>,
-) -> Result<Option<LiftOff>, E> {
-    let opens = |cam_speed: f64| -> Result<bool, NoResult<E>> {
-        let (address, tried) = search.setting(cam_speed);
-        let one = prepare(format!("{address}={tried}"), cam_speed).map_err(NoResult::Failed)?;
-        let found = steady_contact(&one.system, search.object, &one.settings, control);
-        match found.map_err(|faults| one.diagnose(&faults))? {
-            Steady::Closed => Ok(false),
-            Steady::Opens => Ok(true),
-            Steady::Interrupted => Err(NoResult::Interrupted),
-        }
+    report: &mut dyn FnMut(f64),
+) -> Result<Option<LiftOff>, Error> {
+    let contact = ElasticContact {
+        system: &ready.system,
+        object: search.object,
+        settings: &ready.settings,
+        control,
     };
-    match lift_off(search.start, opens) {
+    match contact.lift_off(search, report) {
         Ok(found) => Ok(Some(found)),
-        Err(NoResult::Interrupted) => Ok(None),
-        Err(NoResult::Failed(error)) => Err(error),
+        Err(Missing::Interrupted) => Ok(None),
+        Err(Missing::Refused(faults)) => Err(ready.diagnose(&faults)),
     }
 }
 
+/// The speed of the drive (rad/s) at which a follower (index in the model) cannot stay on its cam:
+/// `None` if no force closes its contact, within it `None` if it was ended from outside.
+pub(super) fn lift_off_of_drive(
+    ready: &Mechanism,
+    object: usize,
+    control: &Control<'_>,
+) -> Result<Option<Option<LiftOff>>, Error> {
+    let Ok(search) = SpeedSearch::of_scene(ready.model(), object) else {
+        return Ok(None);
+    };
+    let of_cam = lift_off_speed(ready, &search, control, &mut |_| ())?;
+    let of_drive = of_cam.map(|found| found.map(|speed| search.drive_speed(speed)));
+    Ok(Some(of_drive))
+}
+
 impl Scene {
-    /// The speed of a cam (rad/s) at which its elastic follower begins to leave it, found by
-    /// runs of the scene at other speeds of its drive; `None`: it was ended from outside.
+    /// The least speed of a cam (rad/s) at which its elastic follower cannot stay on it, by the
+    /// steady motion with closed contact at other speeds of its drive; `None`: it was ended from
+    /// outside.
     ///
     /// # Errors
     /// As of [`Mechanism::cam`]; the pair is not closed by force, or no drive of constant
@@ -155,10 +167,7 @@ impl Scene {
             SpeedSearch::new(ready.model(), found.object, found.force)
         })?;
         let search = search.map_err(Error::question)?;
-        lift_off_by_runs(&search, control, |setting, _| {
-            self.with_arguments(&[setting])
-                .prepare_judging(ModelAssessment::Needed, control)
-        })
+        lift_off_speed(&ready, &search, control, &mut |_| ())
     }
 }
 

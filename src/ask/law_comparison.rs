@@ -1,5 +1,6 @@
 //! Laws of motion compared at a place of a scene: each takes the other's place, and the scene runs.
 
+use super::cam::lift_off_of_drive;
 use super::ended::NoResult;
 use super::{Mechanism, ModelAssessment, Scene};
 use crate::Error;
@@ -8,7 +9,7 @@ use crate::frontend::object::law::stroke_law;
 use crate::kinematics::motion::law::LawSpec;
 use crate::kinematics::motion::{DriveMotion, Law, LawName};
 use crate::studies::judgement::Judgement;
-use crate::studies::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
+use crate::studies::law::{ComparedLaw, Figure, LawResponse, LiftOff, lift_off, response};
 use crate::studies::run::RunResult;
 use crate::studies::{Control, RunSettings};
 use serde_json::{Map, Value, json};
@@ -93,7 +94,7 @@ impl Scene {
             let found = crate::studies::run::run(&ready.system, settings, control, &mut []);
             found.map_err(|faults| ready.diagnose(&faults))
         };
-        compare(question, prepare, run)
+        compare(question, control, prepare, run)
     }
 }
 
@@ -104,12 +105,14 @@ impl Scene {
 /// As of [`Scene::compare_laws`].
 pub(crate) fn compare<E: From<Error>>(
     question: &LawQuestion,
+    control: &Control<'_>,
     prepare: impl FnMut(&[String]) -> Result<Mechanism, E>,
     run: impl FnMut(&Mechanism, &RunSettings, bool) -> Result<RunResult, E>,
 ) -> Result<LawComparison, E> {
     let laws = laws(&question.laws)?;
     let mut trial = Trial {
         question,
+        control,
         prepare,
         run,
         trusted: true,
@@ -117,7 +120,7 @@ pub(crate) fn compare<E: From<Error>>(
     let mut compared = Vec::new();
     for (text, spec) in &laws {
         let law = Law::of_stroke(spec).map_err(Error::from)?;
-        let setting = format!("{}={}", question.at, quoted(text));
+        let setting = format!("{}={}", question.at, law_as_setting(text));
         match trial.response(&setting) {
             Ok(response) => compared.push(ComparedLaw {
                 name: spec.words(),
@@ -154,7 +157,7 @@ fn laws(given: &[String]) -> Result<Vec<(String, LawSpec)>, Error> {
 }
 
 /// A law as the value of a setting.
-fn quoted(law: &str) -> String {
+fn law_as_setting(law: &str) -> String {
     let text = law.trim();
     match (text.strip_prefix("scca:"), text.starts_with('{')) {
         (Some(numbers), _) => match numbers.split_once(',') {
@@ -169,6 +172,7 @@ fn quoted(law: &str) -> String {
 /// The scene in which the laws take each other's place.
 struct Trial<'a, P, R> {
     question: &'a LawQuestion,
+    control: &'a Control<'a>,
     prepare: P,
     run: R,
     trusted: bool,
@@ -181,7 +185,7 @@ impl<P, R> Trial<'_, P, R> {
         R: FnMut(&Mechanism, &RunSettings, bool) -> Result<RunResult, E>,
     {
         let ready = (self.prepare)(&[law.to_owned()]).map_err(NoResult::Failed)?;
-        let (object, drive, speed) = place(&self.question.at, ready.model())?;
+        let (object, drive, speed) = object_drive_and_speed(&self.question.at, ready.model())?;
         let result = self.motion(&ready, speed, SAMPLES)?;
         if !result.is_complete() {
             let why = result.figures.run.stopped_because.clone();
@@ -191,23 +195,37 @@ impl<P, R> Trial<'_, P, R> {
         let found = response(ready.model(), object, &result);
         let mut found = found.map_err(Error::question)?;
         if self.question.lift_off && found.separations.is_some() {
-            let edge: Result<_, NoResult<E>> = lift_off(speed.abs(), |tried| {
-                let tried = tried * speed.signum();
-                let setting = format!("{drive}.motion.speed={tried}");
-                let ready = (self.prepare)(&[law.to_owned(), setting]).map_err(NoResult::Failed)?;
-                let result = self.motion(&ready, tried, FEW)?;
-                let figures = result
-                    .figures
-                    .objects
-                    .get(&ready.model().objects[object].id);
-                let pair = figures.and_then(|figures| figures.pair.as_ref());
-                // A run that gave up (chatter, too many switches) is no working order.
-                Ok(pair.map(Judgement::of_pair) != Some(Judgement::InWorkingOrder))
+            found.lift_off = Some(match lift_off_of_drive(&ready, object, self.control)? {
+                Some(known) => known.ok_or(NoResult::Interrupted)?,
+                // (No force closes its contact.)
+                None => self.lift_off_by_runs(law, (object, &drive, speed))?,
             });
-            found.lift_off = Some(edge?);
         }
         self.trusted &= result.is_trusted();
         Ok(found)
+    }
+
+    /// The speed of the drive from which the contact opens in the last turns of runs.
+    fn lift_off_by_runs<E: From<Error>>(
+        &mut self,
+        law: &str,
+        (object, drive, speed): (usize, &str, f64),
+    ) -> Result<LiftOff, NoResult<E>>
+    where
+        P: FnMut(&[String]) -> Result<Mechanism, E>,
+        R: FnMut(&Mechanism, &RunSettings, bool) -> Result<RunResult, E>,
+    {
+        lift_off(speed.abs(), |tried| {
+            let tried = tried * speed.signum();
+            let setting = format!("{drive}.motion.speed={tried}");
+            let ready = (self.prepare)(&[law.to_owned(), setting]).map_err(NoResult::Failed)?;
+            let result = self.motion(&ready, tried, FEW)?;
+            let id = &ready.model().objects[object].id;
+            let figures = result.figures.objects.get(id);
+            let pair = figures.and_then(|figures| figures.pair.as_ref());
+            // A run that gave up (chatter, too many switches) is no working order.
+            Ok(pair.map(Judgement::of_pair) != Some(Judgement::InWorkingOrder))
+        })
     }
 
     /// A run over enough whole cycles with enough samples.
@@ -238,7 +256,7 @@ impl<P, R> Trial<'_, P, R> {
 }
 
 /// The object whose law is exchanged, the drive at its root, and its speed (rad/s).
-fn place(at: &str, model: &Model) -> Result<(usize, String, f64), Error> {
+fn object_drive_and_speed(at: &str, model: &Model) -> Result<(usize, String, f64), Error> {
     let id = at.split('.').next().unwrap_or("");
     let index = model.objects.iter().position(|part| part.id == id);
     let object =

@@ -114,7 +114,7 @@ impl Mechanism {
     /// # Errors
     /// It was ended before everything was judged.
     pub fn verify_within(&self, control: &Control<'_>) -> Result<Vec<Requirement>, Error> {
-        let all = requirements::judged(lookup::Subject {
+        let all = requirements::judge_requirements(lookup::Subject {
             scene: self.scene(),
             system: &self.system,
             settings: &self.settings,
@@ -190,7 +190,7 @@ pub enum ModelAssessment {
 
 impl ModelAssessment {
     fn applies(self, scene: &TypedScene) -> bool {
-        let open = scene.elastic().open().next().is_some();
+        let open = scene.elastic().open_levels().next().is_some();
         match self {
             Self::Never => false,
             Self::Needed => open,

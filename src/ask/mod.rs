@@ -39,7 +39,7 @@ mod run;
 mod scene;
 mod synthesis;
 
-pub(crate) use cam::lift_off_by_runs;
+pub(crate) use cam::lift_off_speed;
 pub use cam::{CamQuestion, FoundCam};
 pub use find::FindQuestion;
 pub(crate) use find::find;

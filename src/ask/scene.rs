@@ -48,10 +48,10 @@ impl Scene {
     /// A scene without objects.
     pub fn new(name: &str) -> Self {
         let mut root = Node::object();
-        root.put("dam", 1);
-        root.put("name", name);
-        root.put("objects", Node::object());
-        root.put("run", Node::object());
+        root.set_property("dam", 1);
+        root.set_property("name", name);
+        root.set_property("objects", Node::object());
+        root.set_property("run", Node::object());
         Self::of(Document::of_values(root))
     }
 
@@ -66,7 +66,7 @@ impl Scene {
         let read = std::fs::File::open(path).and_then(read_bounded);
         let bytes = read.map_err(|error| Error::file(path, error))?;
         let document = Document::parse(&path.display().to_string(), &bytes)?;
-        Ok(Self::of(document).with_catalogue(Folder::beside(path)))
+        Ok(Self::of(document).with_catalogue(Folder::beside_scene(path)))
     }
 
     /// A scene from its JSON text.
@@ -91,7 +91,7 @@ impl Scene {
     #[must_use]
     pub fn with_kind(mut self, kind: Kind) -> Self {
         let registry: Registry = self.document.kinds().clone();
-        self.document = self.document.with_kinds(registry.with(kind));
+        self.document = self.document.with_kinds(registry.with_kind(kind));
         self
     }
 
@@ -109,7 +109,7 @@ impl Scene {
         self.document.edit(|root| {
             let objects = root.property("objects");
             given_before = objects.get(id).is_some();
-            objects.put(id, object);
+            objects.set_property(id, object);
         });
         if given_before {
             let message = format!("the object `{id}` is given twice");
@@ -126,7 +126,7 @@ impl Scene {
     pub fn parameter(mut self, name: &str, value: impl Into<Node>) -> Self {
         let value = value.into();
         self.document
-            .edit(|root| root.property("parameters").put(name, value));
+            .edit(|root| root.property("parameters").set_property(name, value));
         self
     }
 
@@ -198,7 +198,7 @@ impl Scene {
         }
         let value = value.into();
         self.document
-            .edit(|root| root.property("run").put(name, value));
+            .edit(|root| root.property("run").set_property(name, value));
         self
     }
 

@@ -27,11 +27,11 @@ pub(super) fn setting(accuracies: &[String], figures: &[String]) -> Result<Vec<S
     let usual = format!("{} %", 100.0 * USUAL_SHARE);
     for figure in figures {
         let figure = figure.trim().to_owned();
-        all.insert(figure, value(share.unwrap_or(&usual)));
+        all.insert(figure, number_or_text(share.unwrap_or(&usual)));
     }
     for one in of_one {
         if let Some((figure, accuracy)) = one.split_once('=') {
-            all.insert(figure.trim().to_owned(), value(accuracy));
+            all.insert(figure.trim().to_owned(), number_or_text(accuracy));
         }
     }
     Ok(match all.is_empty() {
@@ -41,7 +41,7 @@ pub(super) fn setting(accuracies: &[String], figures: &[String]) -> Result<Vec<S
 }
 
 /// A number, or a text with a unit.
-fn value(text: &str) -> Value {
+fn number_or_text(text: &str) -> Value {
     let text = text.trim();
     let number = text.parse::<f64>().ok().map(Value::from);
     number.unwrap_or_else(|| Value::from(text))

@@ -85,7 +85,11 @@ pub(crate) fn files<'a, const N: usize>(names: [&str; N], contents: [Content<'a>
 }
 
 /// Adds a warning to the findings and to the document.
-pub(crate) fn warn(findings: &mut Findings<'_>, document: &mut Value, warning: Option<String>) {
+pub(crate) fn add_warning(
+    findings: &mut Findings<'_>,
+    document: &mut Value,
+    warning: Option<String>,
+) {
     let Some(warning) = warning else { return };
     match &mut document["warnings"] {
         Value::Array(warnings) => warnings.push(warning.as_str().into()),

@@ -55,7 +55,7 @@ impl Asker for Terminal {
     }
 
     fn guard_from_interrupt(&self) -> Option<InterruptGuard> {
-        Some(interrupt::guard())
+        Some(interrupt::hold_interrupt())
     }
 
     fn deliver(

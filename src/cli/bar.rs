@@ -54,7 +54,7 @@ impl Bar {
     }
 
     /// The bar itself, where it is to be seen by now.
-    fn seen(&self) -> Option<&ProgressBar> {
+    fn visible_bar(&self) -> Option<&ProgressBar> {
         let bar = self.drawn.as_ref()?;
         if bar.is_hidden() && self.begun.elapsed() > PATIENCE {
             bar.set_draw_target(ProgressDrawTarget::stderr());
@@ -64,14 +64,14 @@ impl Bar {
 
     /// So many parts are done; from any thread.
     pub(crate) fn set(&self, done: u64) {
-        if let Some(bar) = self.seen() {
+        if let Some(bar) = self.visible_bar() {
             bar.set_position(done);
         }
     }
 
     /// One part more is done; from any thread.
     pub(crate) fn advance(&self) {
-        if let Some(bar) = self.seen() {
+        if let Some(bar) = self.visible_bar() {
             bar.inc(1);
         }
     }
@@ -85,7 +85,7 @@ impl Bar {
 
     /// What stands beside the bar, from the seconds since it began; made where it is seen.
     pub(crate) fn tell(&self, words: impl FnOnce(f64) -> String) {
-        if let Some(bar) = self.seen() {
+        if let Some(bar) = self.visible_bar() {
             bar.set_message(words(self.begun.elapsed().as_secs_f64()));
         }
     }

@@ -11,7 +11,7 @@ use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::object::Registry;
 use crate::frontend::scene::{schema, schema_of, schema_text};
 use crate::report::quantity::counted;
-use crate::studies::kinematics::{assembly_modes, reaches};
+use crate::studies::kinematics::{assembly_modes, limited_inputs};
 use serde_json::{Value, json};
 
 /// Checks a scene as far as is possible without running it.
@@ -22,7 +22,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
     let warnings = &ready.reading.warnings;
     let model = ready.system.model();
     let said: Vec<&String> = model.warnings.iter().chain(&start.warnings).collect();
-    let reaches = reaches(model);
+    let reaches = limited_inputs(model);
     let modes = assembly_modes(model);
     let scene = ready.scene();
     if args.scene.json {

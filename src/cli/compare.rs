@@ -58,7 +58,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
             return Err(Failure::Other("fewer systems than values".to_owned()));
         };
         let found = run_with_progress((ready, &Terminal), &ready.settings, args.scene.quiet);
-        keeping.get_or_insert_with(interrupt::guard);
+        keeping.get_or_insert_with(interrupt::hold_interrupt);
         let mut found = found?;
         let named = args.figure.iter().map(String::as_str);
         ready.attach(&mut found.figures, named, interrupt::budget())?;

@@ -98,12 +98,12 @@ pub(crate) fn json(document: &impl serde::Serialize) -> Result<(), Failure> {
 /// # Errors
 /// Those of [`data`].
 pub(crate) fn json_text(text: &str) -> Result<(), Failure> {
-    data(&escaped(text))
+    data(&escaped_for_terminal(text))
 }
 
 /// JSON in which what a terminal would obey, as far as JSON lets it stand in a string, is
 /// escaped.
-fn escaped(json: &str) -> String {
+fn escaped_for_terminal(json: &str) -> String {
     let mut text = String::with_capacity(json.len());
     for c in json.chars() {
         match c {
@@ -152,13 +152,13 @@ fn colour() -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::escaped;
+    use super::escaped_for_terminal;
 
     #[test]
     fn json_keeps_its_meaning_without_control_characters() {
         let name = "a\u{1b}[31m\u{9b}31m\u{7f}é\n\"";
         let text = serde_json::to_string_pretty(&serde_json::json!({ "name": name })).unwrap();
-        let safe = escaped(&text);
+        let safe = escaped_for_terminal(&text);
         assert!(!safe.chars().any(|c| c.is_control() && c != '\n'));
         let back: serde_json::Value = serde_json::from_str(&safe).unwrap();
         assert_eq!(back["name"], name);

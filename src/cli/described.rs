@@ -19,8 +19,8 @@ pub(super) fn document(of: SchemaSubject) -> Option<Value> {
 }
 
 fn results() -> Value {
-    let mut all = scene::described();
-    for (study, figures) in studied::described() {
+    let mut all = scene::described_results();
+    for (study, figures) in studied::described_results() {
         all[study] = of_study(study, &figures);
     }
     all["ends"] = (studied::ends().iter())

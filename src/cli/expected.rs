@@ -22,7 +22,7 @@ pub(super) struct Expectations<'a> {
 
 impl<'a> Expectations<'a> {
     /// Those of a scene, judged by a command where it answers what the scene asks.
-    pub(super) fn judged(
+    pub(super) fn judge_scene(
         command: &'static str,
         all: &'a [Expectation],
         as_scene: bool,
@@ -63,13 +63,13 @@ impl<'a> Expectations<'a> {
             let held = self.verdicts().iter().filter(|verdict| verdict.holds);
             console::print_message(&format!("expectations: {} of {judged} hold", held.count()));
         }
-        for line in self.open() {
+        for line in self.unjudged_requirements() {
             console::print_message(&line);
         }
     }
 
     /// What was not judged, and which command does.
-    fn open(&self) -> Vec<String> {
+    fn unjudged_requirements(&self) -> Vec<String> {
         if self.verdicts.is_none() {
             let own = (self.all.iter()).any(|one| judges(one).contains(&self.command));
             let line = "expectations: not judged, the options change the scene's data";

@@ -50,7 +50,7 @@ impl Failure {
 
 /// # Errors
 /// An option is given that has no effect or no place here.
-pub(crate) fn refuse(given: bool, why: &str) -> Result<(), Failure> {
+pub(crate) fn refuse_option(given: bool, why: &str) -> Result<(), Failure> {
     match given {
         true => Err(Failure::Other(why.to_owned())),
         false => Ok(()),

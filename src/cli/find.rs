@@ -34,7 +34,7 @@ pub(crate) fn command(args: &FindArgs) -> Result<Status, Failure> {
         threads: args.threads.map(usize::from),
     };
     interrupt::enter(Stage::Answering);
-    let _keeping = interrupt::guard();
+    let _keeping = interrupt::hold_interrupt();
     let count = Count::new(&scene, "values", args.scene.quiet);
     let prepare = |settings: &[String]| {
         Ready::of_within(

@@ -53,13 +53,13 @@ impl<'a> Input<'a> {
         };
         let bytes = read.map_err(|error| format!("cannot read the scene `{name}`: {error}"))?;
         let document = Document::parse(&name, &bytes)?;
-        shown::follow(document.text());
+        shown::adopt_units(document.text());
         Ok(Self {
             document,
             // What comes from standard input has no folder of its own.
             folder: Box::new(match args.scene.as_os_str() == STANDARD_INPUT {
                 true => Folder::new("objects"),
-                false => Folder::beside(&args.scene),
+                false => Folder::beside_scene(&args.scene),
             }),
             overrides: Overrides::new(args.set.clone()),
             budget: *interrupt::budget(),

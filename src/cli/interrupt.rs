@@ -70,18 +70,18 @@ pub(crate) fn answering() {
 pub(crate) struct InterruptGuard(());
 
 /// Says that there is something to keep from now on.
-pub(crate) fn guard() -> InterruptGuard {
-    *keepers() += 1;
+pub(crate) fn hold_interrupt() -> InterruptGuard {
+    *count_of_guards() += 1;
     InterruptGuard(())
 }
 
 impl Drop for InterruptGuard {
     fn drop(&mut self) {
-        *keepers() -= 1;
+        *count_of_guards() -= 1;
     }
 }
 
-fn keepers() -> MutexGuard<'static, usize> {
+fn count_of_guards() -> MutexGuard<'static, usize> {
     KEEPERS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -138,7 +138,7 @@ fn handle_signal(code: u8) {
 
 /// Nobody can begin to keep anything while the program ends.
 fn exit_unless_saving(last_words: impl FnOnce() -> u8) {
-    let keepers = keepers();
+    let keepers = count_of_guards();
     if *keepers == 0 {
         std::process::exit(i32::from(last_words()));
     }

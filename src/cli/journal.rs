@@ -24,7 +24,7 @@ impl Journal {
     /// Opens the journal in `folder`, and returns the rows that are known
     /// already. Without `resume` a journal that lies there is somebody's
     /// unfinished work and stops everything, unless it may be `replace`d.
-    pub(crate) fn open(
+    pub(crate) fn open_journal(
         folder: &Path,
         study: &Study<'_>,
         resume: bool,
@@ -85,7 +85,7 @@ fn start(path: &Path, study: &Study<'_>, whole: usize) -> std::io::Result<File> 
     file.set_len(whole as u64)?;
     file.seek(SeekFrom::End(0))?;
     if whole == 0 {
-        file.write_all(journal::head(study).as_bytes())?;
+        file.write_all(journal::first_line(study).as_bytes())?;
     }
     Ok(file)
 }

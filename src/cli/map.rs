@@ -39,7 +39,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
             StudyFault::Question(what) => Failure::Other(what),
         })?;
     if let Some(cells) = &args.cells {
-        return part(args, &study, cells);
+        return print_cells(args, &study, cells);
     }
     let folder = match &args.out.out {
         Some(path) => Some(prepare_folder(args, &study, path)?),
@@ -51,13 +51,13 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     };
     let known = match args.merge.as_slice() {
         [] => known,
-        files => merged(&study, files)?,
+        files => merge_parts(&study, files)?,
     };
     let begun = Instant::now();
     let kept: usize = known.values().map(Vec::len).sum();
     let watch = Watch::new(&study, kept, journal.as_ref(), args.scene.quiet);
     let threads = args.threads.map(usize::from);
-    let keeping = interrupt::guard();
+    let keeping = interrupt::hold_interrupt();
     let result = map(&study, known, threads, interrupt::budget(), &watch);
     watch.finish();
     let result = result?;
@@ -106,7 +106,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
 }
 
 /// Works out some cells and prints them.
-fn part(args: &MapArgs, study: &Study<'_>, cells: &str) -> Result<Status, Failure> {
+fn print_cells(args: &MapArgs, study: &Study<'_>, cells: &str) -> Result<Status, Failure> {
     let cells = range(cells)?;
     let watch = Watch::new(study, 0, None, args.scene.quiet);
     let threads = args.threads.map(usize::from);
@@ -117,7 +117,7 @@ fn part(args: &MapArgs, study: &Study<'_>, cells: &str) -> Result<Status, Failur
     watch.finish();
     let found = found.map_err(|what| format!("--{what}"))?;
     match found {
-        Some(found) => console::data(&journal::part(study, first, &found))?,
+        Some(found) => console::data(&journal::text_of_cells(study, first, &found))?,
         None => return Ok(interrupt::status()),
     }
     Ok(Status::Answered)
@@ -131,7 +131,7 @@ fn range(text: &str) -> Result<Range<usize>, String> {
 }
 
 /// The rows of all parts.
-fn merged(study: &Study<'_>, files: &[PathBuf]) -> Result<KnownCells, Failure> {
+fn merge_parts(study: &Study<'_>, files: &[PathBuf]) -> Result<KnownCells, Failure> {
     let read = |path: &PathBuf| {
         let name = path.display().to_string();
         let mut bytes = Vec::new();
@@ -181,7 +181,7 @@ fn prepare_folder(
     path: &Path,
 ) -> Result<(OutputFolder, Journal, KnownCells), Failure> {
     let folder = OutputFolder::prepare(path, &study.scene, &FILES, args.out.force)?;
-    let (journal, known) = Journal::open(path, study, args.resume, args.out.force)?;
+    let (journal, known) = Journal::open_journal(path, study, args.resume, args.out.force)?;
     Ok((folder, journal, known))
 }
 

@@ -29,9 +29,9 @@ use crate::studies::expectations::{Verdict, check};
 use crate::studies::judgement::RunDocument;
 use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
-use crate::studies::rigid::{Rigid, elastic};
+use crate::studies::rigid::{Rigid, elastic_objects};
 use crate::studies::run::{RunResult, run};
-use crate::studies::spread::{Spread, spread};
+use crate::studies::spread::{Spread, repeat_with_changes};
 use crate::studies::{RunSettings, lookup, plausible};
 use serde::Serialize;
 use serde_json::Value;
@@ -113,7 +113,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let rigid = warn_of_rigid(ready.system.model(), &mut result.figures);
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
-        let found = spread(&ready.system, &ready.settings, &result, control)
+        let found = repeat_with_changes(&ready.system, &ready.settings, &result, control)
             .map_err(|faults| ready.reading.places.diagnose(&faults))?;
         Some(found)
     } else {
@@ -128,7 +128,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     // Another mechanism than the scene's has no expectations.
     let as_scene = args.scene.set.is_empty();
     let all = &ready.scene().expect;
-    let expected = Expectations::judged("run", all, as_scene, |all| check(all, &result));
+    let expected = Expectations::judge_scene("run", all, as_scene, |all| check(all, &result));
     let document = Document {
         judged: RunDocument::of(&result.figures),
         spread: spread.as_ref(),
@@ -207,7 +207,7 @@ pub(super) fn abscissa(
 fn refuse_unused(columns: Columns, files: bool, model: &Model) -> Result<(), Failure> {
     let why = match columns {
         _ if !files => "--record has no effect: the record is a file of --out",
-        Columns::All if elastic(model).is_empty() => {
+        Columns::All if elastic_objects(model).is_empty() => {
             "--record all has no effect: no object has masses of its own"
         }
         Columns::All | Columns::Objects => return Ok(()),

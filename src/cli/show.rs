@@ -21,7 +21,7 @@ use serde_json::json;
 
 /// Runs the command.
 pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
-    refuse(args.view, args.form)?;
+    refuse_form(args.view, args.form)?;
     let ready = Input::load(&args.scene)?.prepare_and_warn(args.scene.quiet)?;
     let model = ready.system.model();
     if args.scene.json {
@@ -38,7 +38,7 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
     Ok(Status::Answered)
 }
 
-fn refuse(view: View, form: ShowForm) -> Result<(), Failure> {
+fn refuse_form(view: View, form: ShowForm) -> Result<(), Failure> {
     let fits = match form {
         ShowForm::Text => true,
         ShowForm::Dot | ShowForm::Svg => matches!(view, View::Graph | View::All),
@@ -177,7 +177,7 @@ fn document(ready: &Ready) -> serde_json::Value {
         document["reduced"] = model
             .reduced
             .iter()
-            .map(|one| reduced(model, one))
+            .map(|one| reduction_json(model, one))
             .collect();
     }
     if let Some(found) = &ready.settings.of_accuracy {
@@ -188,7 +188,7 @@ fn document(ready: &Ready) -> serde_json::Value {
 
 /// Reduction of an object: modes with their shares of the output, and what the others
 /// give way by.
-fn reduced(model: &Model, reduced: &ModalReduction) -> serde_json::Value {
+fn reduction_json(model: &Model, reduced: &ModalReduction) -> serde_json::Value {
     let modes = modes(model, reduced).map(|mode| match mode.frequency {
         Some(frequency) => {
             json!({ "id": mode.id, "share": mode.share, "natural_frequency": frequency })

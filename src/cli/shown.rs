@@ -22,7 +22,7 @@ pub(crate) fn start(asked: Option<DisplayUnits>, digits: Option<usize>) {
 }
 
 /// Takes the units of a scene's text, unless others were asked for.
-pub(crate) fn follow(scene: &str) {
+pub(crate) fn adopt_units(scene: &str) {
     if let Some(digits) = OF_SCENE.get() {
         DisplayUnits::of_scene(scene).with_digits(digits).choose();
     }

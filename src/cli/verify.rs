@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// Runs the command.
 pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
-    let _keeping = interrupt::guard();
+    let _keeping = interrupt::hold_interrupt();
     let (mut all, mut wrong, mut suites) = (Vec::new(), Vec::new(), Vec::new());
     for path in &args.scenes {
         let one = match verified(args, path) {

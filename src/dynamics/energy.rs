@@ -35,7 +35,7 @@ impl EnergyAudit {
         if difference == 0.0 {
             0.0
         } else {
-            difference / self.scale()
+            difference / self.balance_scale()
         }
     }
 
@@ -46,7 +46,7 @@ impl EnergyAudit {
     /// rest under load a method with the tolerance ε knows the deflections to some ε of
     /// themselves, and with them ½·c·x² to some 2·ε. Steps of explicit methods, which
     /// stability alone limits there, leave as much of it open as noise.
-    pub fn scale(&self) -> f64 {
+    pub fn balance_scale(&self) -> f64 {
         let [[drives, loads], [kinetic, elastic]] = [self.put_in, self.greatest];
         let all = [drives, loads, kinetic, elastic];
         all.into_iter().fold(0.0, f64::max)
@@ -62,7 +62,7 @@ impl EnergyAudit {
 
     /// What has been added since an earlier look at the same sums; the greatest
     /// energies are those of all the time.
-    pub(crate) fn since(&self, before: &Self) -> Self {
+    pub(crate) fn difference_from(&self, before: &Self) -> Self {
         let both = [0, 1];
         Self {
             drives: self.drives - before.drives,
@@ -150,6 +150,6 @@ mod tests {
         after.append(&part);
         assert_eq!((beside.drives, after.drives), (6.0, 6.0));
         assert_eq!((beside.greatest, after.greatest), ([10.0, 2.0], [5.0, 1.0]));
-        assert_eq!((beside.scale(), beside.error()), (10.0, 0.0));
+        assert_eq!((beside.balance_scale(), beside.error()), (10.0, 0.0));
     }
 }

@@ -86,7 +86,7 @@ impl Model {
     }
 
     /// Reduction of an object to modes, if it is reduced to modes.
-    pub fn reduced(&self, object: usize) -> Option<&ModalReduction> {
+    pub fn reduction_of(&self, object: usize) -> Option<&ModalReduction> {
         self.reduced.iter().find(|reduced| reduced.object == object)
     }
 
@@ -144,7 +144,7 @@ impl Coordinate {
     }
 
     /// A displacement for reading, and its unit: degrees or metres.
-    pub const fn shown(self, displacement: f64) -> (f64, &'static str) {
+    pub const fn displacement_for_reading(self, displacement: f64) -> (f64, &'static str) {
         match self {
             Self::Turning => (displacement.to_degrees(), "deg"),
             Self::Sliding => (displacement, "m"),
@@ -385,6 +385,9 @@ pub enum Start {
     /// Explicit absolute displacements and speeds of every mass, per object
     /// (index into [`Model::objects`]); objects left out start on their law.
     Explicit(Vec<ExplicitStart>),
+    /// The coordinates u and u̇ of the system, as [`crate::dynamics::system::System`] has them: a
+    /// state that a study has found.
+    State(Vec<f64>),
 }
 
 /// Explicit start of one object.

@@ -17,7 +17,7 @@ const LEAST_TIME: f64 = 256.0 * f64::EPSILON;
 /// `rate` ≥ 0, pressed back with an acceleration, where it is too low to be followed: then
 /// the contact is held. `place`: size of the numbers that its clearance is the difference
 /// of. `None`: it flies, or nothing presses it back.
-pub(crate) fn rests(
+pub(crate) fn time_of_rest(
     time: f64,
     place: f64,
     [rate, pressing]: [f64; 2],
@@ -47,7 +47,7 @@ pub(crate) fn rests(
 
 #[cfg(test)]
 mod tests {
-    use super::rests;
+    use super::time_of_rest;
 
     #[test]
     fn the_rest_of_the_series_is_that_of_its_flights() {
@@ -57,10 +57,10 @@ mod tests {
             left += 2.0 * speed / pressing;
             speed *= e;
         }
-        let end = rests(1e-3, 0.0, [rate, pressing], e).unwrap();
+        let end = time_of_rest(1e-3, 0.0, [rate, pressing], e).unwrap();
         approx::assert_relative_eq!(end - 1e-3, left, max_relative = 1e-4);
         approx::assert_relative_eq!(
-            rests(0.0, 0.0, [rate, pressing], e).unwrap(),
+            time_of_rest(0.0, 0.0, [rate, pressing], e).unwrap(),
             left,
             max_relative = 1e-14
         );
@@ -68,15 +68,15 @@ mod tests {
 
     #[test]
     fn what_is_high_or_not_pressed_flies() {
-        assert_eq!(rests(1.0, 0.0, [1e-3, 10.0], 0.5), None);
-        assert_eq!(rests(1.0, 0.0, [1e-10, -1.0], 0.5), None);
-        assert_eq!(rests(1.0, 0.0, [0.0, 0.0], 0.5), Some(1.0));
-        assert_eq!(rests(1.0, 0.0, [1.0, 0.0], 0.5), None);
-        assert_eq!(rests(1.0, 0.0, [1.0, -0.0], 0.5), None);
-        assert_eq!(rests(1.0, 0.0, [0.0, -1e-30], 0.5), None);
-        assert!(rests(1.0, 0.0, [1e-12, 10.0], 1.0).is_some());
+        assert_eq!(time_of_rest(1.0, 0.0, [1e-3, 10.0], 0.5), None);
+        assert_eq!(time_of_rest(1.0, 0.0, [1e-10, -1.0], 0.5), None);
+        assert_eq!(time_of_rest(1.0, 0.0, [0.0, 0.0], 0.5), Some(1.0));
+        assert_eq!(time_of_rest(1.0, 0.0, [1.0, 0.0], 0.5), None);
+        assert_eq!(time_of_rest(1.0, 0.0, [1.0, -0.0], 0.5), None);
+        assert_eq!(time_of_rest(1.0, 0.0, [0.0, -1e-30], 0.5), None);
+        assert!(time_of_rest(1.0, 0.0, [1e-12, 10.0], 1.0).is_some());
         // What is told from numbers of the size of 1 is lost in their rounding before.
-        assert_eq!(rests(1.0, 0.0, [1e-7, 10.0], 0.5), None);
-        assert!(rests(1.0, 1.0, [1e-7, 10.0], 0.5).is_some());
+        assert_eq!(time_of_rest(1.0, 0.0, [1e-7, 10.0], 0.5), None);
+        assert!(time_of_rest(1.0, 1.0, [1e-7, 10.0], 0.5).is_some());
     }
 }

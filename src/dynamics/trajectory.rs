@@ -72,13 +72,13 @@ impl<'m> Trajectory<'m> {
             let resolved = match &self.model.nodes[node].motion {
                 NodeMotion::Prescribed { motion, .. } => {
                     let breaks = motion.breaks();
-                    breaks.is_empty() || neighbours(&|time| breaks.locate(time, 1.0))
+                    breaks.is_empty() || neighbours(&|time| breaks.segment_at(time, 1.0))
                 }
                 NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                     open.push(law.driver);
                     let breaks = law.position.breaks();
                     let place = |time| at(self.model, law.driver, time).value;
-                    breaks.is_empty() || neighbours(&|time| breaks.locate(place(time), 1.0))
+                    breaks.is_empty() || neighbours(&|time| breaks.segment_at(place(time), 1.0))
                 }
                 NodeMotion::Constrained { drivers, .. } => {
                     open.extend(drivers);
@@ -108,7 +108,7 @@ impl<'m> Trajectory<'m> {
     }
 
     /// Number of laws and of inputs of constraints on the way: the cost of [`Self::at`].
-    pub(crate) fn steps(&self) -> usize {
+    pub(crate) fn count_of_laws(&self) -> usize {
         self.steps
     }
 
@@ -131,14 +131,14 @@ impl<'m> Trajectory<'m> {
 
 /// A drive's motion at `time`.
 pub(crate) fn instant(motion: &DriveMotion, time: f64) -> Jet {
-    motion.jet(motion.breaks().locate(time, 1.0), time)
+    motion.jet(motion.breaks().segment_at(time, 1.0), time)
 }
 
 /// lever·U and its derivatives over the driver's displacement φ; the sign of `sense` is
 /// that in which the driver moves, and chooses the side of a break point.
 pub(crate) fn transfer(model: &Model, law: &Law, phi: f64, sense: f64) -> Jet {
     let segment = match law.track {
-        Some(track) => model.tracks[track].breaks.locate(phi, sense.signum()),
+        Some(track) => model.tracks[track].breaks.segment_at(phi, sense.signum()),
         None => 0,
     };
     law.position.jet(segment, phi).scaled(law.lever)
@@ -155,7 +155,7 @@ fn at(model: &Model, node: NodeIndex, time: f64) -> Jet {
         },
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
             let driver = at(model, law.driver, time);
-            transfer(model, law, driver.value, driver.first).after(driver)
+            transfer(model, law, driver.value, driver.first).composed_with(driver)
         }
         NodeMotion::Constrained {
             drivers,

@@ -138,19 +138,19 @@ impl Ledger {
     fn start_at(&mut self, problem: &TreeProblem, at: &Instant<'_>) {
         if self.start.is_none() {
             self.start = Some((energy(&self.stores, at), potential(problem, at)));
-            self.see(at);
+            self.add_instant(at);
         }
     }
 
     /// An impact, with the work of the law in it.
-    pub(super) fn strike(&mut self, impact: &Impact) {
+    pub(super) fn add_impact(&mut self, impact: &Impact) {
         self.drives += impact.drives;
         self.put_in[0] += impact.drives.max(0.0);
         self.impacts += impact.lost;
     }
 
     #[inline(always)]
-    fn see(&mut self, at: &Instant<'_>) {
+    fn add_instant(&mut self, at: &Instant<'_>) {
         let now = energy(&self.stores, at);
         for k in 0..2 {
             self.greatest[k] = now[k].max(self.greatest[k]);
@@ -170,7 +170,7 @@ impl Ledger {
         let Some(forms) = &regime.forms else {
             return;
         };
-        let work = forms.work::<A>(problem, &regime.basis, phase, e, &mut self.room);
+        let work = forms.work_over_phase::<A>(problem, &regime.basis, phase, e, &mut self.room);
         // What moves as prescribed takes from the law what its energy changes by.
         let carried = self
             .carried
@@ -181,7 +181,7 @@ impl Ledger {
         self.dissipated +=
             work.dissipated + self.held - stored_energy(&self.stores, &regime.key, at.q);
         self.law = at.law;
-        self.see(at);
+        self.add_instant(at);
         self.put_in[0] += drives.max(0.0);
         self.put_in[1] += work.loads.max(0.0);
     }

@@ -22,7 +22,7 @@ use super::pencil::C;
 use super::problem::{PairState, TreeProblem};
 use super::resonance::Resonance;
 use crate::math::order::Total;
-use part::parts;
+use part::cut_at_open_pairs;
 use response::{law_force, response};
 
 const ZERO: C = C::new(0.0, 0.0);
@@ -137,7 +137,7 @@ impl Basis {
         let mut lanes = Vec::new();
         let mut rigid: Vec<Rigid> = Vec::new();
         let mut resonant = Vec::new();
-        for part in parts(problem, states) {
+        for part in cut_at_open_pairs(problem, states) {
             part.modes(n, &mut lanes)?;
             rigid.extend(part.rigid(n));
         }
@@ -223,7 +223,7 @@ impl Basis {
         let extent = pack(&|l| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)));
         let fastest = lanes.iter().fold(0.0f64, |m, l| m.max(l.lambda.im.abs()));
         let longest = 0.5 * SIN_COS_LIMIT / fastest;
-        let drift = drift(&lanes);
+        let drift = time_of_slow_modes(&lanes);
         let mut harmonic = Vec::new();
         for (k, lane) in lanes.iter().enumerate() {
             if let LaneKind::Harmonic(j) = lane.kind {
@@ -272,7 +272,7 @@ impl Basis {
 /// A part that only dampers hold has a mode 0 and one that decays slowly, whose
 /// answers to a force, finite polynomials of 1/λ², would cancel; as power series,
 /// which hold for a while, they hardly do.
-fn drift(lanes: &[Lane]) -> f64 {
+fn time_of_slow_modes(lanes: &[Lane]) -> f64 {
     if lanes.iter().all(|lane| lane.lambda != ZERO) {
         return f64::INFINITY;
     }

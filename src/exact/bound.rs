@@ -72,7 +72,7 @@ pub(crate) fn assess<A: Arith>(
             } else {
                 basis.follow_flights
             };
-            let free = longest::<A>([a[0] + lift, a[1], a[2], a[3], a[4]], r, reach, left);
+            let free = longest_trial::<A>([a[0] + lift, a[1], a[2], a[3], a[4]], r, reach, left);
             if free < left && lanes > 0 {
                 enveloped::<A>(basis, lanes, signal, terms, left, free)
             } else {
@@ -118,7 +118,7 @@ fn enveloped<A: Arith>(
                 r += size(i) * basis.fifth[i / WIDTH].0[i % WIDTH];
             }
             a[0] -= rest;
-            best = best.max(longest::<A>(a, r, reach, left));
+            best = best.max(longest_trial::<A>(a, r, reach, left));
             if best >= left {
                 break;
             }
@@ -133,14 +133,14 @@ fn enveloped<A: Arith>(
 /// The longest trial h ≤ `left`, found from `reach` downwards or upwards, on
 /// which the quintic is proven not negative.
 #[inline(always)]
-fn longest<A: Arith>(a: Jet, r: f64, reach: f64, left: f64) -> f64 {
+fn longest_trial<A: Arith>(a: Jet, r: f64, reach: f64, left: f64) -> f64 {
     let mut top = reach.min(left);
     let free = trial::<A>(a, r, top);
     if free == top {
         // Nothing in sight: leap.
         while top < left {
             let next = (top * 8.0).min(left);
-            if !passes::<A>(a, r, next) {
+            if !stays_nonzero::<A>(a, r, next) {
                 break;
             }
             top = next;
@@ -194,7 +194,7 @@ fn least_coefficient<A: Arith>(a: Jet, r: f64, h: V) -> V {
 }
 
 #[inline(always)]
-fn passes<A: Arith>(a: Jet, r: f64, h: f64) -> bool {
+fn stays_nonzero<A: Arith>(a: Jet, r: f64, h: f64) -> bool {
     let h2 = h * h;
     let (p1, p2) = (a[1] * h, a[2] * h2 * 0.5);
     let (p3, p4) = (a[3] * h2 * h * (1.0 / 6.0), a[4] * h2 * h2 * (1.0 / 24.0));
@@ -271,7 +271,7 @@ fn certify<A: Arith>(a: Jet, r: f64, lift: f64, left: f64) -> Option<Bracket> {
     let (c2, c3, c4) = (a[2] * 0.5, a[3] * (1.0 / 6.0), a[4] * (1.0 / 24.0));
     let end = A::fma(high, A::fma(high, A::fma(high, c4, c3), c2), a[1]);
     let end = A::fma(high, end, a[0]) + off * high * 0.2;
-    let free = passes::<A>([a[0] + lift, a[1], a[2], a[3], a[4]], r, low);
+    let free = stays_nonzero::<A>([a[0] + lift, a[1], a[2], a[3], a[4]], r, low);
     ((steepest < 0.0) & (end < 0.0) & free).then_some(Bracket {
         low,
         guess: u,
@@ -320,7 +320,7 @@ mod tests {
             };
             let a = [u(0).abs(), u(1) * 3.0, u(2) * 9.0, u(3) * 27.0, u(4) * 81.0];
             let r = u(5).abs() * 243.0;
-            let h = longest::<Plain>(a, r, 1.0, 5.0);
+            let h = longest_trial::<Plain>(a, r, 1.0, 5.0);
             for k in 0..=50 {
                 assert!(lowest(a, r, h * k as f64 / 50.0) >= -1e-12, "{a:?} {r} {h}");
             }

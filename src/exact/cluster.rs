@@ -89,7 +89,11 @@ impl Mode {
         } else {
             pencil.eigenvector(lambda)
         };
-        let damping = pencil.apply(&shape, |node| node.damping, |node| node.ground_damping);
+        let damping = pencil.apply_deformation_operator(
+            &shape,
+            |node| node.damping,
+            |node| node.ground_damping,
+        );
         let (mut norm, mut size) = (C::default(), 0.0);
         for (k, node) in pencil.nodes.iter().enumerate() {
             let term = shape[k] * shape[k] * (lambda * (2.0 * node.inertia));
@@ -107,7 +111,7 @@ impl Mode {
     }
 
     /// The mode as a lane over the pencil's own masses.
-    fn lane(&self, pencil: &Pencil) -> Lane {
+    fn mode_as_lane(&self, pencil: &Pencil) -> Lane {
         let factor = self.norm.inv() * if self.lambda.im == 0.0 { 1.0 } else { 2.0 };
         let inertia = |k: usize| self.shape[k] * (factor * pencil.nodes[k].inertia);
         let all = 0..pencil.nodes.len();
@@ -136,7 +140,7 @@ pub(crate) fn lanes(pencil: &Pencil, values: &[C]) -> Result<Vec<Lane>, String> 
     let mut out: Vec<Lane> = modes
         .iter()
         .filter(|mode| !clusters.iter().any(|c| c.members.contains(&mode.lambda)))
-        .map(|mode| mode.lane(pencil))
+        .map(|mode| mode.mode_as_lane(pencil))
         .collect();
     for cluster in &clusters {
         out.extend(cluster.lanes(pencil)?);
@@ -158,7 +162,7 @@ fn find(modes: &[Mode], floats: bool) -> Vec<Cluster> {
         if mode.lambda == C::default() || out.iter().any(|c| c.members.contains(&mode.lambda)) {
             continue;
         }
-        let near = nearest(&all, &[mode.lambda]).map_or(f64::INFINITY, |(_, d)| d);
+        let near = nearest_eigenvalue(&all, &[mode.lambda]).map_or(f64::INFINITY, |(_, d)| d);
         if mode.kept >= LOST && near > CLOSE * mode.lambda.norm() {
             continue;
         }
@@ -171,7 +175,7 @@ fn find(modes: &[Mode], floats: bool) -> Vec<Cluster> {
 }
 
 /// The eigenvalue outside `members` that is nearest to one of them.
-fn nearest(all: &[C], members: &[C]) -> Option<(usize, f64)> {
+fn nearest_eigenvalue(all: &[C], members: &[C]) -> Option<(usize, f64)> {
     // Members are told from equal values by their number.
     let inside = |value: &C| members.iter().filter(|m| *m == value).count();
     let mut seen: Vec<(C, usize)> = Vec::new();
@@ -218,7 +222,7 @@ fn gather(all: &[C], seed: C, lossy: bool, floats: bool) -> Cluster {
             members.push(conjugate);
             continue;
         }
-        let next = nearest(all, &members);
+        let next = nearest_eigenvalue(all, &members);
         let gap = next.map_or(f64::INFINITY, |(_, d)| d);
         // A lost norm names a mate that is close, if not that close, and not
         // merely the same mode of an equal branch.

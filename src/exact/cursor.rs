@@ -31,7 +31,7 @@ impl<'a> Cursor<'a> {
     /// # Errors
     /// The state at t = 0 has no answer; see [`Refusal`].
     pub fn new(tree: &'a ExactTree, end: f64) -> Result<Self, Refusal> {
-        Self::of(tree, &Request::new(end, 0), &workspace::always)
+        Self::of(tree, &Request::new(end, 0), &workspace::never_stop)
     }
 
     /// A run of `tree` for a request, for as long as `goes_on` says so.
@@ -60,7 +60,7 @@ impl<'a> Cursor<'a> {
     ///
     /// # Errors
     /// Modes that cannot be separated, numbers that are no longer finite.
-    pub fn advance(&mut self) -> Result<bool, Refusal> {
+    pub fn next_phase(&mut self) -> Result<bool, Refusal> {
         if self.work.has_ended(&self.request) {
             return Ok(false);
         }
@@ -68,7 +68,7 @@ impl<'a> Cursor<'a> {
         self.before = self.work.out.switches.len();
         // (Where there is no further one the run stands at the end of the last.)
         self.passed = None;
-        self.passed = Some(self.work.advance(&self.request)?);
+        self.passed = Some(self.work.advance_phase(&self.request)?);
         Ok(true)
     }
 

@@ -50,7 +50,7 @@ impl Pencil {
     }
 
     /// A for the rate ω₀ (1/s).
-    fn companion(&self, rate: f64) -> DMatrix<f64> {
+    fn companion_matrix(&self, rate: f64) -> DMatrix<f64> {
         let n = self.nodes.len();
         let k = self.scaled(|n| n.stiffness, |n| n.ground_stiffness);
         let b = self.scaled(|n| n.damping, |n| n.ground_damping);
@@ -73,7 +73,7 @@ impl Pencil {
         if !(rate > 0.0 && rate.is_finite()) {
             return None;
         }
-        let schur = Schur::try_new(self.companion(rate), f64::EPSILON, 20_000)?;
+        let schur = Schur::try_new(self.companion_matrix(rate), f64::EPSILON, 20_000)?;
         let mut all: Vec<C> = schur.complex_eigenvalues().iter().copied().collect();
         all.sort_by_cached_key(|l| Total(l.norm()));
         Some(all[zeros..].iter().map(|l| l * rate).collect())
@@ -143,7 +143,7 @@ impl Subspace {
     pub(super) fn new(pencil: &Pencil, mean: C, gap: f64, m: usize, real: bool) -> Option<Self> {
         let n = pencil.nodes.len();
         let rate = mean.norm();
-        let a = pencil.companion(rate).map(C::from);
+        let a = pencil.companion_matrix(rate).map(C::from);
         let shift = mean / rate + 0.03 * gap.min(rate) / rate;
         let shifted = &a - DMatrix::from_diagonal_element(2 * n, 2 * n, shift);
         let right = shifted.clone().lu();

@@ -45,13 +45,13 @@ impl Pencil {
     /// stand for their conjugate too, real ones for themselves.
     pub(crate) fn eigenvalues(&self) -> Result<Vec<C>, NotFound> {
         let floats = self.floats();
-        let zeros = match (floats, self.dragged()) {
+        let zeros = match (floats, self.has_damped_rigid_motion()) {
             (false, _) => 0,
             (true, false) => 2,
             (true, true) => 1,
         };
         if let ([node], 0) = (&self.nodes[..], zeros) {
-            return Ok(single(node));
+            return Ok(roots_of_single_node(node));
         }
         let guess = self.first_guess();
         let elastic = &guess[usize::from(floats)..];
@@ -226,7 +226,7 @@ fn two(k: &DMatrix<f64>, b: &DMatrix<f64>) -> [(f64, f64); 2] {
 }
 
 /// Roots of Jλ² + bλ + c, in the form without cancellation.
-fn single(node: &Node) -> Vec<C> {
+fn roots_of_single_node(node: &Node) -> Vec<C> {
     let c = node.stiffness + node.ground_stiffness;
     let half = (node.damping + node.ground_damping) / (2.0 * node.inertia);
     let square = c / node.inertia - half * half;

@@ -53,7 +53,7 @@ impl Workspace<'_> {
         for watch in &self.watches {
             let f = watch.functional;
             let signal = &mut self.signals[f];
-            signal.take::<A>(
+            signal.set_functional::<A>(
                 &entry.basis,
                 &self.phase,
                 &self.functionals[f],
@@ -116,7 +116,7 @@ impl Workspace<'_> {
         if self.problem.masses[i].restitution.is_some() {
             return match watch.target {
                 PairState::Pressed(_) => self.release(i, f, time),
-                _ => self.strike(i, f, time),
+                _ => self.apply_impact(i, f, time),
             };
         }
         let clear = self.first[i] + 2 * usize::from(f);

@@ -27,7 +27,7 @@ impl Phase {
     }
 
     /// Leaves out the last vector, whose entries in `e` become zero.
-    pub(super) fn fade(&mut self, e: &mut Exponentials) {
+    pub(super) fn drop_last_vector(&mut self, e: &mut Exponentials) {
         let last = self.active - 1;
         e.re[last] = V::ZERO;
         e.im[last] = V::ZERO;

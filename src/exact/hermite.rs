@@ -93,7 +93,7 @@ impl Piece {
 
     /// Place of the cubic's summit; the middle when it has none well inside.
     #[inline(always)]
-    pub(crate) fn summit(&self) -> f64 {
+    pub(crate) fn extremum_place(&self) -> f64 {
         let h = self.length();
         let rise = 3.0 * (self.b.f - self.a.f);
         let (first, last) = (h * self.a.g, h * self.b.g);
@@ -112,7 +112,7 @@ impl Piece {
 
     /// Place where the cubic crosses zero between ends of opposite sign, roughly.
     #[inline(always)]
-    pub(crate) fn crossing(&self) -> f64 {
+    pub(crate) fn zero_crossing(&self) -> f64 {
         let h = self.length();
         let (first, last) = (h * self.a.g, h * self.b.g);
         let rise = 3.0 * (self.b.f - self.a.f);
@@ -230,11 +230,11 @@ mod tests {
             a: end(a, 0.0),
             b: end(b, 0.0),
         };
-        let t = piece(0.4, 0.8).summit();
+        let t = piece(0.4, 0.8).extremum_place();
         assert!(end(0.4 + 0.4 * t, 0.0).g.abs() < 0.05, "{t}");
-        let t = piece(-0.2, 0.25).crossing();
+        let t = piece(-0.2, 0.25).zero_crossing();
         assert!(end(-0.2 + 0.45 * t, 0.0).f.abs() < 2e-3, "{t}");
         // None inside: the middle.
-        assert_eq!(piece(0.0, 0.1).summit(), 0.5);
+        assert_eq!(piece(0.0, 0.1).extremum_place(), 0.5);
     }
 }

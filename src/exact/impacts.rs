@@ -28,7 +28,7 @@ impl Workspace<'_> {
     }
 
     /// Mass i strikes its flank f.
-    pub(super) fn strike(&mut self, i: usize, f: u8, time: f64) {
+    pub(super) fn apply_impact(&mut self, i: usize, f: u8, time: f64) {
         let mass = &self.problem.masses[i];
         let coefficient = mass.restitution.unwrap_or(0.0);
         let flank = mass.pair.flanks().0[usize::from(f)];
@@ -42,7 +42,7 @@ impl Workspace<'_> {
         let carried = mass.ratio * law;
         self.set_on_flank(i, f, rate);
         let pressing = -self.pull_on_flank(i, f) / inertia;
-        let rests = restitution::rests(time, place, [rate, pressing], coefficient);
+        let rests = restitution::time_of_rest(time, place, [rate, pressing], coefficient);
         if rests.is_some() {
             rate = 0.0;
             self.set_on_flank(i, f, rate);
@@ -63,7 +63,7 @@ impl Workspace<'_> {
             rests,
         };
         if let Some(ledger) = &mut self.ledger {
-            ledger.strike(&impact);
+            ledger.add_impact(&impact);
         }
         self.out.switches.push(ExactSwitch {
             time,

@@ -10,7 +10,7 @@
 mod elementary;
 
 pub(crate) use elementary::{
-    ROUND, SIN_COS_LIMIT, exp, reduced, reduced_one, sin_cos, sin_cos_one,
+    ROUND, SIN_COS_LIMIT, cosine_and_sine_remainders, exp, reduced_one, sin_cos, sin_cos_one,
 };
 
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -139,7 +139,8 @@ impl Law {
         match self {
             Self::Harmonic { mean, slope, sines } => {
                 for (z, sine) in out.harmonics.iter_mut().zip(sines) {
-                    let theta = turn::<A>(sine.frequency, time) + sine.frequency * low + sine.phase;
+                    let theta =
+                        phase_angle::<A>(sine.frequency, time) + sine.frequency * low + sine.phase;
                     let near = theta.abs() < SIN_COS_LIMIT;
                     let (sin, cos) = if near {
                         sin_cos_one::<A>(theta)
@@ -173,7 +174,7 @@ impl Law {
 /// frequency·time modulo 2π: the product is split so that its own rounding
 /// does not count, then reduced.
 #[inline(always)]
-fn turn<A: Arith>(frequency: f64, time: f64) -> f64 {
+fn phase_angle<A: Arith>(frequency: f64, time: f64) -> f64 {
     let (product, error) = A::product(frequency, time);
     const TWO_PI_LOW: f64 = 2.449_293_598_294_706_4e-16;
     let turns = (product * (1.0 / std::f64::consts::TAU) + ROUND) - ROUND;
@@ -246,7 +247,7 @@ mod tests {
             assert!((whole - whole.round()).abs() < 1e-9, "{difference}");
             assert!((turn(frequency, 0.025) - frequency * 0.025).abs() < 3e-16);
         };
-        close(turn::<Plain>);
-        close(turn::<FusedMultiplyAdd>);
+        close(phase_angle::<Plain>);
+        close(phase_angle::<FusedMultiplyAdd>);
     }
 }

@@ -209,14 +209,14 @@ impl ExactTree {
     /// # Errors
     /// The modes of a combination cannot be separated.
     pub fn check(&self) -> Result<(), Refusal> {
-        self.tried().map(drop)
+        self.try_modes().map(drop)
     }
 
     /// The modes of those combinations.
     ///
     /// # Errors
     /// As [`Self::check`].
-    pub(crate) fn tried(&self) -> Result<Modes, Refusal> {
+    pub(crate) fn try_modes(&self) -> Result<Modes, Refusal> {
         let masses = &self.problem.masses;
         let options = |mass: &TreeMass| 1 + mass.pair.flanks().1;
         let state = |option: usize| match option {
@@ -256,7 +256,7 @@ impl ExactTree {
     /// # Errors
     /// The modes of a regime cannot be separated, or numbers stop being finite.
     pub fn run(&self, request: &Request) -> Result<ExactRun, Refusal> {
-        self.run_while(request, &workspace::always)
+        self.run_while(request, &workspace::never_stop)
     }
 
     /// Runs it for as long as `goes_on` says so; asked every thousand steps of

@@ -250,7 +250,7 @@ impl Workspace<'_> {
             };
             self.variants[o] = (variant, engaged);
             let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
-            track.begin::<A>(scene, &self.search.e, engaged);
+            track.begin_phase::<A>(scene, &self.search.e, engaged);
         }
     }
 

@@ -145,7 +145,7 @@ impl Panel {
 
 impl Panel {
     /// |weight| of lane k in functional f.
-    pub(crate) fn size(&self, f: usize, k: usize) -> f64 {
+    pub(crate) fn lane_weight(&self, f: usize, k: usize) -> f64 {
         self.lane_functionals(k).size.0[f]
     }
 

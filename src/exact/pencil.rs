@@ -42,7 +42,7 @@ impl Pencil {
     }
 
     /// True when rigid motion is damped.
-    pub(crate) fn dragged(&self) -> bool {
+    pub(crate) fn has_damped_rigid_motion(&self) -> bool {
         self.nodes[0].damping > 0.0 || self.nodes.iter().any(|n| n.ground_damping > 0.0)
     }
 
@@ -57,7 +57,7 @@ impl Pencil {
 
     /// The deformation operator: f(x_i − lever·x_parent) for every link, as
     /// `gather` of link factors: out += Dᵀ·diag(factor)·D·x + diag(ground)·x.
-    pub(crate) fn apply(
+    pub(crate) fn apply_deformation_operator(
         &self,
         x: &[C],
         link: impl Fn(&Node) -> f64,
@@ -199,8 +199,8 @@ mod tests {
 
     fn residual(p: &Pencil, lambda: C) -> f64 {
         let x = p.eigenvector(lambda);
-        let k = p.apply(&x, |n| n.stiffness, |n| n.ground_stiffness);
-        let b = p.apply(&x, |n| n.damping, |n| n.ground_damping);
+        let k = p.apply_deformation_operator(&x, |n| n.stiffness, |n| n.ground_stiffness);
+        let b = p.apply_deformation_operator(&x, |n| n.damping, |n| n.ground_damping);
         let mut worst = 0.0f64;
         let mut scale = 0.0f64;
         for i in 0..x.len() {

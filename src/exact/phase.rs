@@ -108,7 +108,7 @@ impl Phase {
 
     /// Starts a phase at `start` + `low` from q, q̇.
     #[inline(always)]
-    pub(crate) fn begin<A: Arith>(
+    pub(crate) fn begin_phase<A: Arith>(
         &mut self,
         problem: &TreeProblem,
         basis: &Basis,
@@ -122,7 +122,7 @@ impl Phase {
             .law
             .start::<A>(at.0, at.1, &mut self.span, &mut self.forcing);
         if let Some(resonance) = &basis.resonance {
-            resonance.take(&mut self.forcing);
+            resonance.make_polynomials(&mut self.forcing);
         }
         self.reach = f64::INFINITY;
         match steady {
@@ -319,7 +319,7 @@ impl Task for Evaluate<'_> {
         out.s = s;
         // Most often there is one vector: without a loop its constants are used
         // where they are, and not put aside for the next round.
-        out.turn::<A>(basis, 0);
+        out.advance_vector::<A>(basis, 0);
         if phase.active > 1 {
             A::run_out_of_line(Others {
                 basis,
@@ -346,7 +346,7 @@ impl Task for Others<'_> {
     #[inline(always)]
     fn run<A: Arith>(self) {
         for b in 1..self.active {
-            self.out.turn::<A>(self.basis, b);
+            self.out.advance_vector::<A>(self.basis, b);
         }
     }
 }
@@ -369,7 +369,7 @@ impl Exponentials {
 
     /// Vector b at the instant s.
     #[inline(always)]
-    fn turn<A: Arith>(&mut self, basis: &Basis, b: usize) {
+    fn advance_vector<A: Arith>(&mut self, basis: &Basis, b: usize) {
         let time = V::splat(self.s);
         let size = exp::<A>(basis.re[b] * time);
         let (sin, cos) = sin_cos::<A>(basis.im[b] * time);

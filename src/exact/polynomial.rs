@@ -25,7 +25,7 @@ impl Steady {
         }
         let mut phase = Phase::new(problem, basis.blocks);
         let zero = vec![0.0; basis.masses];
-        phase.forces(problem, basis);
+        phase.force_polynomials(problem, basis);
         phase.clear();
         phase.elastic_polynomials(basis, f64::INFINITY);
         if phase.degree > 0 {
@@ -90,14 +90,14 @@ impl Phase {
         v: &[f64],
     ) {
         self.clear();
-        self.reach = self.forces(problem, basis).min(basis.drift);
+        self.reach = self.force_polynomials(problem, basis).min(basis.drift);
         self.elastic_polynomials(basis, self.reach);
         self.rigid_polynomials(basis, q, v);
     }
 
     /// Forces on the masses as polynomials of the local time (without
     /// harmonics); returns how long they hold.
-    fn forces(&mut self, problem: &TreeProblem, basis: &Basis) -> f64 {
+    fn force_polynomials(&mut self, problem: &TreeProblem, basis: &Basis) -> f64 {
         let (start, law, degree) = (self.start, self.forcing.law, self.forcing.degree);
         let mut end = self.forcing.end;
         self.force.fill(0.0);

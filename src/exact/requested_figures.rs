@@ -42,7 +42,7 @@ impl RequestedFigures {
 
     /// Union of what either asks for.
     #[must_use]
-    pub fn with(self, other: Self) -> Self {
+    pub fn union(self, other: Self) -> Self {
         Self {
             deviation: self.deviation | other.deviation,
             mean: self.mean | other.mean,

@@ -24,7 +24,7 @@ const RADIANS: f64 = 0.6;
 const TERMS: usize = LAW_DEGREE + 3;
 
 /// True when a mode is too near to a harmonic for its answer to be a lane.
-pub(super) fn near(lambda: C, omega: f64) -> bool {
+pub(super) fn is_near_resonance(lambda: C, omega: f64) -> bool {
     (C::new(0.0, omega) - lambda).norm() < NEAR_RESONANCE * omega
 }
 
@@ -54,7 +54,7 @@ impl Resonance {
 
     /// Turns the harmonics of a forcing into polynomials.
     #[inline(never)]
-    pub(super) fn take(&self, forcing: &mut Forcing) {
+    pub(super) fn make_polynomials(&self, forcing: &mut Forcing) {
         for &(j, omega) in &self.harmonics {
             let z = std::mem::take(&mut forcing.harmonics[j]);
             let mut power = 1.0;

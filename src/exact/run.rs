@@ -60,7 +60,7 @@ impl Task for Pass<'_, '_> {
 impl Workspace<'_> {
     /// The next phase with the switch that ends it; what is said of the run in the end
     /// is up to date.
-    pub(super) fn advance(&mut self, request: &Request) -> Result<CompletedPhase, Refusal> {
+    pub(super) fn advance_phase(&mut self, request: &Request) -> Result<CompletedPhase, Refusal> {
         let passed = forward(self, request.end)?;
         self.take_switch(&passed)?;
         if passed.event.is_some() || self.phase.reach < self.regimes[passed.regime].basis.longest {
@@ -88,7 +88,7 @@ impl Workspace<'_> {
     /// All phases, one after the other.
     pub(super) fn run(mut self, request: &Request) -> Result<ExactRun, Refusal> {
         loop {
-            self.advance(request)?;
+            self.advance_phase(request)?;
             if self.has_ended(request) {
                 return Ok(self.finish(request));
             }
@@ -149,7 +149,7 @@ impl Workspace<'_> {
         let (basis, steady) = (&entry.basis, entry.steady.as_ref());
         let (q, v) = (&mut self.q, &mut self.v);
         self.phase
-            .begin::<A>(self.problem, basis, steady, self.at, q, v);
+            .begin_phase::<A>(self.problem, basis, steady, self.at, q, v);
         let passed = self.follow_phase::<A>(regime, end);
         if passed.is_err() {
             // The run stands where the phase began.
@@ -263,13 +263,13 @@ impl Workspace<'_> {
 
     /// Lets modes leave that have died away.
     #[inline(always)]
-    fn fade<A: Arith>(&mut self, regime: usize) {
+    fn drop_faded_modes<A: Arith>(&mut self, regime: usize) {
         while self
             .phase
             .fades(&self.regimes[regime].basis, &self.search.e)
         {
             self.process_noted_steps::<A>(regime);
-            self.phase.fade(&mut self.search.e);
+            self.phase.drop_last_vector(&mut self.search.e);
         }
     }
 
@@ -349,7 +349,7 @@ impl Workspace<'_> {
                     }
                 }
                 Step::Free => {
-                    self.fade::<A>(regime);
+                    self.drop_faded_modes::<A>(regime);
                     anew = self.release_cleared_pairs::<A>(regime, None);
                 }
             }

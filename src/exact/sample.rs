@@ -6,7 +6,7 @@
 //! evaluated once a phase, at its first sample.
 
 use super::basis::Basis;
-use super::lanes::{Arith, V, WIDTH, exp, reduced, sin_cos};
+use super::lanes::{Arith, V, WIDTH, cosine_and_sine_remainders, exp, sin_cos};
 use super::pencil::C;
 use super::phase::{Exponentials, POLY, Phase};
 use super::problem::TreeProblem;
@@ -141,7 +141,7 @@ impl Sampler {
             q: vec![0.0; room],
             v: vec![0.0; room],
         };
-        sampler.advance(0);
+        sampler.skip_samples(0);
         sampler
     }
 
@@ -159,7 +159,7 @@ impl Sampler {
     }
 
     #[inline(always)]
-    fn advance(&mut self, by: usize) {
+    fn skip_samples(&mut self, by: usize) {
         self.next += by;
         self.due = if self.next <= self.count {
             self.time(self.next)
@@ -184,16 +184,16 @@ impl Sampler {
         }
         phase.exponentials::<A>(basis, first, &mut self.e);
         if let Some(strides) = strides {
-            let count = self.within(phase, first, s);
+            let count = self.count_of_samples(phase, first, s);
             self.last_mass::<A>(basis, strides, phase, count, out);
-            self.advance(count);
+            self.skip_samples(count);
             return;
         }
         loop {
             phase.state::<A>(basis, &mut self.e, &mut self.q, &mut self.v);
             out.extend_from_slice(&self.q);
             out.extend_from_slice(&self.v);
-            self.advance(1);
+            self.skip_samples(1);
             let local = phase.local(self.due);
             if local > s {
                 return;
@@ -204,7 +204,7 @@ impl Sampler {
 
     /// How many samples lie in [first, s], of which `first` is one.
     #[inline(always)]
-    fn within(&self, phase: &Phase, first: f64, s: f64) -> usize {
+    fn count_of_samples(&self, phase: &Phase, first: f64, s: f64) -> usize {
         let left = self.count - self.next + 1;
         let turns = (s - first) * self.rate;
         let mut count = (turns as usize + 1).min(left);
@@ -272,7 +272,7 @@ fn slow<A: Arith>(basis: &Basis, phase: &Phase, i: usize, s: V) -> V {
         let a = flight.amplitude * shape;
         let x = s * V::splat(flight.omega);
         let (sin, cos) = sin_cos::<A>(x);
-        let (c, l) = reduced::<A>(x, sin, cos);
+        let (c, l) = cosine_and_sine_remainders::<A>(x, sin, cos);
         sum = V::splat(a.re).fma::<A>(c, sum) - V::splat(a.im) * l;
     }
     sum

@@ -118,11 +118,11 @@ impl Search {
                 && root.is_none_or(|(_, other)| bracket.guess < other.guess)
             {
                 root = Some((number, bracket));
-                second = lesser(second, length);
+                second = least_of_two(second, length);
             } else {
-                second = lesser(second, free);
+                second = least_of_two(second, free);
             }
-            length = lesser(length, free);
+            length = least_of_two(length, free);
         }
         self.steps += 1;
         let looks = witness.wants_steps();
@@ -131,7 +131,7 @@ impl Search {
             && !(s == 0.0 && signals[watched[number]].passing)
         {
             let signal = &signals[watched[number]];
-            let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
+            let step = self.refine_root::<A>(basis, phase, signal, bracket, left, number);
             if looks {
                 witness.note_step::<A>(s, &self.e);
             }
@@ -165,7 +165,7 @@ impl Search {
 
     /// Polishes the root in the bracket and evaluates there.
     #[inline(always)]
-    fn polish<A: Arith>(
+    fn refine_root<A: Arith>(
         &mut self,
         basis: &Basis,
         phase: &Phase,
@@ -201,7 +201,7 @@ impl Search {
                     return Step::Reached;
                 }
                 if fastest * x.abs() < 1e-4 {
-                    self.nudge::<A>(basis, phase.active, x);
+                    self.advance_exponentials::<A>(basis, phase.active, x);
                     self.e.s = next;
                     if !phase.flights.is_empty() {
                         phase.swing::<A>(basis, &mut self.e);
@@ -230,7 +230,7 @@ impl Search {
     /// Moves the exponentials by a small x: e^{λx} by its Taylor series
     /// (|λx| < 10⁻⁴: error 10⁻¹⁸).
     #[inline(always)]
-    fn nudge<A: Arith>(&mut self, basis: &Basis, active: usize, x: f64) {
+    fn advance_exponentials<A: Arith>(&mut self, basis: &Basis, active: usize, x: f64) {
         let x = V::splat(x);
         let f = V::splat;
         for b in 0..active {
@@ -252,7 +252,7 @@ impl Search {
 
 /// The lesser of two numbers; one that is not a number has been refused before.
 #[inline(always)]
-fn lesser(a: f64, b: f64) -> f64 {
+fn least_of_two(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 

@@ -102,7 +102,7 @@ impl Sums {
 
 impl Amplitudes {
     #[inline(always)]
-    fn share<A: Arith>(&self, re: V, im: V, size: V) -> Share {
+    fn lane_share<A: Arith>(&self, re: V, im: V, size: V) -> Share {
         let mut orders = [V::ZERO; ORDERS];
         for order in 0..ORDERS {
             let [own, other] = self.c[order];
@@ -132,7 +132,7 @@ impl Signal {
 
     /// Takes up `functional` over `phase`; `sign` ±1 turns it round.
     #[inline(always)]
-    pub(crate) fn take<A: Arith>(
+    pub(crate) fn set_functional<A: Arith>(
         &mut self,
         basis: &Basis,
         phase: &Phase,
@@ -230,9 +230,9 @@ impl Signal {
     ) -> ([f64; ORDERS], f64) {
         let (re, im, size) = (&e.re[..active], &e.im[..active], &e.size[..active]);
         let (lanes, fifth) = (&self.lanes[..active], &basis.fifth[..active]);
-        let mut sums = Sums::first(&lanes[0].share::<A>(re[0], im[0], size[0]), fifth[0]);
+        let mut sums = Sums::first(&lanes[0].lane_share::<A>(re[0], im[0], size[0]), fifth[0]);
         for b in 1..active {
-            sums.add::<A>(&lanes[b].share::<A>(re[b], im[b], size[b]), fifth[b]);
+            sums.add::<A>(&lanes[b].lane_share::<A>(re[b], im[b], size[b]), fifth[b]);
         }
         sums.with_bound(self.slow::<A>(e), self.slow5)
     }
@@ -249,10 +249,10 @@ impl Signal {
         let (re, im, size) = (&e.re[..active], &e.im[..active], &e.size[..active]);
         let (lanes, fifth) = (&self.lanes[..active], &basis.fifth[..active]);
         let room = &mut out.lanes[..active];
-        room[0] = lanes[0].share::<A>(re[0], im[0], size[0]);
+        room[0] = lanes[0].lane_share::<A>(re[0], im[0], size[0]);
         let mut sums = Sums::first(&room[0], fifth[0]);
         for b in 1..active {
-            room[b] = lanes[b].share::<A>(re[b], im[b], size[b]);
+            room[b] = lanes[b].lane_share::<A>(re[b], im[b], size[b]);
             sums.add::<A>(&room[b], fifth[b]);
         }
         out.slow = self.slow::<A>(e);

@@ -158,13 +158,13 @@ impl Track {
     /// Takes up a phase at the instant of `e`, its start; `engaged`: the fourth
     /// functional is the link's force, otherwise the clearance.
     #[inline(always)]
-    pub(crate) fn begin<A: Arith>(&mut self, scene: Scene, e: &Exponentials, engaged: bool) {
+    pub(crate) fn begin_phase<A: Arith>(&mut self, scene: Scene, e: &Exponentials, engaged: bool) {
         let Scene {
             basis,
             panel,
             phase,
         } = scene;
-        self.state.take::<A>(basis, panel, phase);
+        self.state.begin_phase::<A>(basis, panel, phase);
         self.engaged = engaged;
         self.start = phase.start;
         let f = &self.figures;
@@ -184,7 +184,7 @@ impl Track {
                 (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
             }
         }
-        self.whole = self.state.whole::<A>(panel, phase);
+        self.whole = self.state.bounds_of_all_lanes::<A>(panel, phase);
         self.seen = 0;
         self.calm = self.whole;
         // What flies is at rest at the start alone.
@@ -193,7 +193,7 @@ impl Track {
         (self.before.s, self.now.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         (self.last.s, self.look.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         if !self.quiet || self.asked.mean {
-            self.state.first(phase, &mut self.now);
+            self.state.write_start_of_phase(phase, &mut self.now);
         }
         if !self.quiet {
             let point = self.state.point::<A>(panel, phase.active, &self.now, e);
@@ -282,7 +282,7 @@ impl Track {
             for k in 0..4 {
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
                     if beyond > 0.0 {
-                        self.note((k, sign), sign * value.0[k], point.s);
+                        self.note_greatest((k, sign), sign * value.0[k], point.s);
                     }
                 }
             }
@@ -349,7 +349,7 @@ impl Track {
 
     /// Notes a new greatest value of sign·(functional k), met at the local time s.
     #[inline(always)]
-    fn note(&mut self, (k, sign): (usize, f64), best: f64, s: f64) {
+    fn note_greatest(&mut self, (k, sign): (usize, f64), best: f64, s: f64) {
         let time = self.start + s;
         let f = &mut self.figures;
         let (figure, value, when) = match (k, sign > 0.0, self.engaged) {

@@ -64,12 +64,12 @@ pub(super) struct Workspace<'a> {
 }
 
 /// Goes on, whatever happens.
-pub(super) fn always() -> bool {
+pub(super) fn never_stop() -> bool {
     true
 }
 
 /// Room for the samples; what is asked for beyond it is taken as it comes.
-fn room(request: &Request, n: usize) -> usize {
+fn room_for_samples(request: &Request, n: usize) -> usize {
     const MOST: usize = 1 << 20;
     let columns = if request.all_masses { 2 * n } else { 1 };
     request
@@ -113,7 +113,7 @@ impl<'a> Workspace<'a> {
             out: ExactRun {
                 start: states.clone(),
                 switches: Vec::with_capacity(256),
-                samples: Vec::with_capacity(room(request, n)),
+                samples: Vec::with_capacity(room_for_samples(request, n)),
                 columns: if request.all_masses { 2 * n } else { 1 },
                 ..ExactRun::default()
             },
@@ -122,7 +122,7 @@ impl<'a> Workspace<'a> {
             short: 0,
             walked: 0,
             most_steps: [request.steps, request.all_steps],
-            goes_on: &always,
+            goes_on: &never_stop,
             told: false,
             plain: false,
         })

@@ -95,13 +95,13 @@ macro_rules! elastic {
         impl $name {
             /// Adds a one-sided stop of the last mass against the ground.
             pub fn stop(mut self, name: &str, stop: impl Into<$crate::frontend::read::Node>) -> Self {
-                self.0.property("stops").put(name, stop);
+                self.0.property("stops").set_property(name, stop);
                 self
             }
 
             /// Adds a load, positive towards positive displacement.
             pub fn load(mut self, name: &str, load: impl Into<$crate::frontend::read::Node>) -> Self {
-                self.0.property("loads").put(name, load);
+                self.0.property("loads").set_property(name, load);
                 self
             }
         }
@@ -151,13 +151,13 @@ pub(crate) fn at<'n>(node: &'n mut Node, address: &str) -> &'n mut Node {
 /// An object of a kind.
 pub(crate) fn of_kind(kind: &str) -> Node {
     let mut node = Node::object();
-    node.put("kind", kind);
+    node.set_property("kind", kind);
     node
 }
 
 /// An object with one property.
-pub(crate) fn only(property: &str, value: impl Into<Node>) -> Node {
+pub(crate) fn one_property(property: &str, value: impl Into<Node>) -> Node {
     let mut node = Node::object();
-    node.put(property, value);
+    node.set_property(property, value);
     node
 }

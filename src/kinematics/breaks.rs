@@ -40,7 +40,7 @@ impl Breaks {
 
     /// The segment holding `x` when moving in the direction of `sense`
     /// (≥ 0: upwards): on an edge, the segment that is about to be entered.
-    pub fn locate(&self, x: f64, sense: f64) -> i64 {
+    pub fn segment_at(&self, x: f64, sense: f64) -> i64 {
         let count = self.points.len();
         if count == 0 {
             return 0;
@@ -108,12 +108,15 @@ mod tests {
         assert_eq!(breaks.edges(-1), (-1.0, 0.5));
         assert_eq!(breaks.edges(3), (5.0, 6.5));
         for (x, up, down) in [(0.5, 0, -1), (1.0, 0, 0), (5.0, 3, 2), (-2.6, -3, -3)] {
-            assert_eq!((breaks.locate(x, 1.0), breaks.locate(x, -1.0)), (up, down));
+            assert_eq!(
+                (breaks.segment_at(x, 1.0), breaks.segment_at(x, -1.0)),
+                (up, down)
+            );
         }
         assert_eq!(breaks.piece(3), (1, 3.0));
         assert_eq!(breaks.piece(-1), (1, -3.0));
         for x in [1e30, -1e30, f64::MAX, f64::INFINITY, f64::NAN] {
-            let _ = breaks.locate(x, 1.0);
+            let _ = breaks.segment_at(x, 1.0);
         }
     }
 
@@ -125,7 +128,10 @@ mod tests {
         };
         assert_eq!(breaks.edges(0), (f64::NEG_INFINITY, 1.0));
         assert_eq!(breaks.edges(2), (2.0, f64::INFINITY));
-        assert_eq!((breaks.locate(1.0, 1.0), breaks.locate(1.0, -1.0)), (1, 0));
+        assert_eq!(
+            (breaks.segment_at(1.0, 1.0), breaks.segment_at(1.0, -1.0)),
+            (1, 0)
+        );
         assert_eq!(Breaks::NONE.edges(0).1, f64::INFINITY);
     }
 }

@@ -5,7 +5,7 @@
 //! know how large a rounding error may be. Every coefficient therefore carries
 //! a magnitude, the sum of the absolute values of all that was added up to it.
 
-use crate::math::expression::{Function, Scalar, about};
+use crate::math::expression::{Function, Scalar, taylor_about};
 use crate::math::jet::Jet;
 use crate::math::number::Number;
 use crate::math::quantity::Quantity;
@@ -202,7 +202,7 @@ impl Scalar for Series {
         Self::from(value)
     }
 
-    fn central(self) -> f64 {
+    fn compared_value(self) -> f64 {
         self.coefficients[0]
     }
 
@@ -212,7 +212,7 @@ impl Scalar for Series {
 
     /// Exact up to the seventh derivative.
     fn of(self, function: Function) -> Self {
-        self.of_coefficients(about(function, self.coefficients[0]))
+        self.of_coefficients(taylor_about(function, self.coefficients[0]))
     }
 
     fn power(self, exponent: f64) -> Self {

@@ -28,7 +28,7 @@ impl<const N: usize> Nodes<N> {
     }
 
     /// The polynomial through values at the places.
-    pub(crate) fn fit(&self, values: &[f64; N]) -> [f64; N] {
+    pub(crate) fn polynomial_through(&self, values: &[f64; N]) -> [f64; N] {
         std::array::from_fn(|k| {
             let products = self.values[k].iter().zip(values).map(|(t, f)| t * f);
             products.sum::<f64>() * if k == 0 { 1.0 } else { 2.0 } / N as f64
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_smooth_function_its_slope_and_its_integral_come_out_to_rounding() {
         let nodes = Nodes::<20>::new();
-        let series = nodes.fit(&nodes.places.map(|x| (0.7 * x + 0.2).sin()));
+        let series = nodes.polynomial_through(&nodes.places.map(|x| (0.7 * x + 0.2).sin()));
         let (slope, area) = (derivative(&series), integral(&series));
         for x in [-1.0, -0.83, 0.0, 0.41, 1.0] {
             let angle = 0.7 * x + 0.2;
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn powers_of_the_argument_and_of_a_share_of_the_interval_agree() {
         let nodes = Nodes::<12>::new();
-        let series = nodes.fit(&nodes.places.map(f64::exp));
+        let series = nodes.polynomial_through(&nodes.places.map(f64::exp));
         let (plain, shared) = (in_powers([0.0, 1.0]), in_powers([-1.0, 2.0]));
         let horner = |c: [f64; 12], x: f64| c.iter().rev().fold(0.0, |sum, c| sum * x + c);
         for x in [-1.0, -0.4, 0.1, 0.9] {

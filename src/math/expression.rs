@@ -33,14 +33,14 @@ use std::ops::Range;
 use std::sync::Arc;
 
 pub(crate) use affine::Affine;
-pub(crate) use crossing::{Stretch, VARIABLES, follow};
+pub(crate) use crossing::{Stretch, VARIABLES, change_mode};
 pub(crate) use enclosed::TaylorBounds;
 pub(crate) use evaluate::Scalar;
 pub(crate) use function::Function;
 pub(crate) use interval::Interval;
 pub(crate) use moving::RateBounds;
 pub(crate) use of_one::{MOST, OfOne, Repetition};
-pub(crate) use ordered::{SeriesProgram, about};
+pub(crate) use ordered::{SeriesProgram, taylor_about};
 pub(crate) use program::{Code, OPEN, Op, Program};
 pub(crate) use third::Third;
 
@@ -148,22 +148,25 @@ impl Expression {
     /// also in a branch of a conditional that is never taken.
     pub fn new(text: &str, variables: &[&str]) -> Result<Self, Mistake> {
         let names: Vec<(&str, usize)> = variables.iter().copied().zip(0..).collect();
-        Self::over(text, &names)
+        Self::parse_over_names(text, &names)
     }
 
     /// Reads `text`, an expression over variables that may have several names.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub(crate) fn over(text: &str, names: &Names<'_>) -> Result<Self, Mistake> {
-        Self::with(text, &mut Variables(names))
+    pub(crate) fn parse_over_names(text: &str, names: &Names<'_>) -> Result<Self, Mistake> {
+        Self::parse_with_symbols(text, &mut Variables(names))
     }
 
     /// Reads `text`, an expression over whatever its names stand for.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub(crate) fn with(text: &str, symbols: &mut dyn Symbols) -> Result<Self, Mistake> {
+    pub(crate) fn parse_with_symbols(
+        text: &str,
+        symbols: &mut dyn Symbols,
+    ) -> Result<Self, Mistake> {
         if text.len() > LONGEST {
             let mut start = LONGEST;
             while !text.is_char_boundary(start) {

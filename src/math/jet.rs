@@ -56,7 +56,7 @@ impl Jet {
 
     /// Derivatives of f(x(t)) from those of f at x, in `self`, and of x at t.
     #[must_use]
-    pub fn after(self, x: Self) -> Self {
+    pub fn composed_with(self, x: Self) -> Self {
         Self {
             value: self.value,
             first: self.first * x.first,

@@ -74,7 +74,7 @@ pub(crate) fn narrow_stretches(
         return Vec::new();
     };
     let counts = (COUNTS * greatest).max(noise);
-    joined(&panels, counts, SHORT * (to - from))
+    join_neighbours(&panels, counts, SHORT * (to - from))
 }
 
 /// Where the first narrow stretch of a step of an integration begins, from 0 to 1, and the
@@ -164,7 +164,7 @@ fn search(
 }
 
 /// Neighbours that are narrow as one stretch; its steps are no longer than the panel that changes most.
-fn joined(panels: &[Panel], counts: f64, short: f64) -> Vec<Narrow> {
+fn join_neighbours(panels: &[Panel], counts: f64, short: f64) -> Vec<Narrow> {
     let mut found: Vec<Narrow> = Vec::new();
     let mut most = 0.0;
     let narrow = |panel: &&Panel| panel.to - panel.from < short && panel.change > counts;

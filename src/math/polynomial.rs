@@ -149,13 +149,13 @@ pub type Coefficients = [f64; MAX_DEGREE + 1];
 /// Coefficient `order` of the product of two power series.
 #[inline]
 pub(crate) fn product(one: &[f64], other: &[f64], order: usize) -> f64 {
-    against(&one[..=order], &other[..=order])
+    convolution_term(&one[..=order], &other[..=order])
 }
 
 /// Σ a_i·b_(n−i) of two lists of one length, in four sums side by side, as the
 /// processor would otherwise wait for each to end.
 #[inline]
-pub(crate) fn against(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn convolution_term(a: &[f64], b: &[f64]) -> f64 {
     let count = a.len();
     let b = &b[..count];
     let mut sums = [0.0; 4];

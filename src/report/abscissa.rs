@@ -133,10 +133,10 @@ impl Abscissa {
             Turns::Behind => points()
                 .map(|(angle, value)| (angle.to_degrees(), value))
                 .collect(),
-            Turns::Over => folded(points()),
+            Turns::Over => folded_to_turn(points()),
             Turns::Last => {
                 let [from, to] = last_turn(angles);
-                folded(points().filter(|(angle, _)| (from..=to).contains(angle)))
+                folded_to_turn(points().filter(|(angle, _)| (from..=to).contains(angle)))
             }
         }
     }
@@ -157,7 +157,7 @@ impl Abscissa {
                 let within = both.map(|[from, to]| [from.max(first), to.min(last)]);
                 within
                     .filter(|[from, to]| from < to)
-                    .flat_map(cut)
+                    .flat_map(intervals_within_turn)
                     .collect()
             }
         }
@@ -183,7 +183,7 @@ fn last_turn(angles: &[f64]) -> [f64; 2] {
 }
 
 /// An interval of angles (rad) within each turn (degrees).
-fn cut([from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+fn intervals_within_turn([from, to]: [f64; 2]) -> Vec<[f64; 2]> {
     let first = (from / TAU).floor();
     let turns = (to / TAU).ceil() - first;
     let part = |turn: f64| {
@@ -197,7 +197,7 @@ fn cut([from, to]: [f64; 2]) -> Vec<[f64; 2]> {
 
 /// Points over angles (rad), each turn from 0 to 360 degrees. A straight line over the end of a
 /// turn ends there, and goes on at the other side.
-fn folded(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+fn folded_to_turn(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut curve = Vec::new();
     let mut before: Option<(f64, f64)> = None;
     for (angle, value) in points {

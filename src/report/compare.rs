@@ -5,12 +5,12 @@ use crate::dynamics::record::Quantity;
 use crate::report::abscissa::Abscissa;
 use crate::report::addresses::{RESULTS, in_words, parameter_words, result_words};
 use crate::report::diagram::Diagram;
-use crate::report::findings::table::judged;
+use crate::report::findings::table::check_outcome;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{scale, significant, units};
+use crate::report::quantity::{readable_scale, significant, units};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
@@ -64,12 +64,12 @@ pub fn findings<'a>(
     };
     source.more.extend(all.iter().map(of));
     let converged = |value: f64, error: f64, unit: &str| {
-        let shown = scale(value, unit);
+        let shown = readable_scale(value, unit);
         let [value, error] = [(value, 6), (error, 2)]
             .map(|(number, digits)| significant(number / shown.factor, digits));
         format!("{value} ± {error} {}", shown.unit)
     };
-    let enough = comparison.enough(converged).into_iter();
+    let enough = comparison.describe_enough_masses(converged).into_iter();
     let over_words = parameter_words(&comparison.over);
     let named = |text: String| in_words(&text.replace(&comparison.over, &over_words));
     let enough = enough.map(|text| Item::Words(named(text))).collect();
@@ -84,7 +84,7 @@ pub fn findings<'a>(
             heading: String::new(),
             items: enough,
         },
-        Section::new("Runs").table(verdicts(comparison)),
+        Section::new("Runs").table(verdicts_table(comparison)),
         Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     // Drives move alike in every run as a rule: they come last.
@@ -101,12 +101,12 @@ pub fn findings<'a>(
             Section::default()
                 .drawing(move |plots| runs::differences(plots, &series(comparison, over), &id)),
         );
-        sections.push(figures(&comparison.table, &one.id));
+        sections.push(figures_section(&comparison.table, &one.id));
     }
-    sections.push(figures(&comparison.table, "run"));
+    sections.push(figures_section(&comparison.table, "run"));
     for study in ["frequency", "steady", "cam", "kinematics", "forces"] {
         let known = boxes.iter().any(|one| one.id == study);
-        sections.extend((!known).then(|| figures(&comparison.table, study)));
+        sections.extend((!known).then(|| figures_section(&comparison.table, study)));
     }
     sections.retain(|section| !section.is_empty());
     Findings {
@@ -187,14 +187,14 @@ fn checked(figures: &Figures) -> Cell {
     match checks.iter().find(|check| !check.passed()) {
         Some(failed) => Cell {
             good: Some(false),
-            ..format!("{}: {}", failed.name, judged(failed)).into()
+            ..format!("{}: {}", failed.name, check_outcome(failed)).into()
         },
         None => format!("{} within their bounds", checks.len()).into(),
     }
 }
 
 /// One row a run: verdict, method, effort.
-fn verdicts(comparison: &Comparison) -> Table {
+fn verdicts_table(comparison: &Comparison) -> Table {
     let row = |run: &ComparedRun| {
         let judgement = Judgement::of(&run.result.figures);
         let summary = &run.result.figures.run;
@@ -217,7 +217,7 @@ fn verdicts(comparison: &Comparison) -> Table {
 }
 
 /// Figures of an object, one column a run, each with its error.
-pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'a> {
+pub(in crate::report) fn figures_section<'a>(table: &FigureTable, id: &str) -> Section<'a> {
     let own = |row: &TableRow| {
         let name = row.figure.strip_prefix(id)?.strip_prefix('.')?;
         differs(row).then(|| cells(name, row, table.against_limit))
@@ -244,7 +244,7 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
     let heading = format!("Results of {id} over {}", parameter_words(&table.over));
     let rows = table.rows.iter().filter_map(own);
     let table = Table::new(std::iter::once("result").chain(heads)).rows(rows);
-    Section::new(heading).table(table).words(left_out)
+    Section::new(heading).table(table).with_paragraph(left_out)
 }
 
 /// Whether the runs differ in a figure by more than rounding; a limit of it is worth its row.
@@ -265,7 +265,7 @@ fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
     let values = row.values.iter().zip(&row.errors);
     let values = values.map(|(value, error)| {
         let error = error.map_or(String::new(), percent);
-        Cell::with(number(*value), error)
+        Cell::with_note(number(*value), error)
     });
     let limit = row.limit.as_ref();
     let settled = limit.map_or([Cell::from(""), Cell::from("")], |limit| {
@@ -280,11 +280,11 @@ fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
         let order = limit
             .order
             .map_or("".into(), |order| Value::new(order, "", 3));
-        [Cell::with(value, within), order.into()]
+        [Cell::with_note(value, within), order.into()]
     });
     let settled = settled.into_iter().take(2 * usize::from(against_limit));
     let first = match words {
-        Some((_, words)) => Cell::with(*words, name),
+        Some((_, words)) => Cell::with_note(*words, name),
         None => match result_words(&row.figure) {
             words if words == row.figure => Cell::from(name),
             words => Cell::address(name, words),

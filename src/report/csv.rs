@@ -62,13 +62,13 @@ impl Rows {
     }
 
     /// Names of the columns.
-    pub fn head(&self) -> &[String] {
+    pub fn column_names(&self) -> &[String] {
         &self.head
     }
 
     /// The numbers of a column, those that are no number as NaN; `None` where there are
     /// words in it. They are what the CSV holds: the shortest decimals read back.
-    pub fn numbers(&self, column: usize) -> Option<Vec<f64>> {
+    pub fn numbers_of_column(&self, column: usize) -> Option<Vec<f64>> {
         let number = |row: &Vec<Field>| match row.get(column)?.0.as_str() {
             "" => Some(f64::NAN),
             text => text.parse().ok(),
@@ -95,7 +95,7 @@ fn line<'f>(fields: impl Iterator<Item = &'f str>) -> String {
 }
 
 /// The head of a column: its name, and its unit if it has one.
-pub(in crate::report) fn head(name: &str, unit: &str) -> String {
+pub(in crate::report) fn column_heading(name: &str, unit: &str) -> String {
     match unit {
         "" => name.to_owned(),
         unit => format!("{name} [{unit}]"),
@@ -272,9 +272,9 @@ mod tests {
         let rows = [("a", Some(0.1 + 0.2)), ("b", None)];
         let rows = rows.map(|(name, value)| [super::Field::from(name), value.into()]);
         let table = super::Rows::new(["name", "value"], rows);
-        assert_eq!(table.head(), ["name", "value"]);
-        assert_eq!(table.numbers(0), None);
-        let numbers = table.numbers(1).unwrap();
+        assert_eq!(table.column_names(), ["name", "value"]);
+        assert_eq!(table.numbers_of_column(0), None);
+        let numbers = table.numbers_of_column(1).unwrap();
         assert_eq!(numbers[0], 0.1 + 0.2);
         assert!(numbers[1].is_nan());
     }

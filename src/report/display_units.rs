@@ -143,7 +143,7 @@ impl DisplayUnits {
     }
 
     /// The units of this thread, for scripts of pages: SI unit, unit, size.
-    pub(in crate::report) fn chosen() -> Vec<(&'static str, String, f64)> {
+    pub(in crate::report) fn units_of_thread() -> Vec<(&'static str, String, f64)> {
         CHOICE.with_borrow(|choice| choice.units.clone())
     }
 }
@@ -177,7 +177,7 @@ fn count(value: &Value, counts: &mut BTreeMap<String, usize>) {
 }
 
 /// The scale that this thread has chosen for a unit; `None`: the one that reads best.
-pub(super) fn scale(magnitude: f64, unit: &str) -> Option<Scale> {
+pub(super) fn scale_of_thread(magnitude: f64, unit: &str) -> Option<Scale> {
     CHOICE.with_borrow(|choice| {
         let (_, name, size) = choice.units.iter().find(|(si, ..)| *si == unit)?;
         let shown = (magnitude / size).abs();
@@ -204,7 +204,7 @@ pub(super) fn shown_digits(own: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{DisplayUnits, scale, shown_digits};
+    use super::{DisplayUnits, scale_of_thread, shown_digits};
 
     const SCENE: &str = r#"{ "objects": {
         "a": { "motion": { "speed": "600 rpm" }, "position": { "rise": "90 deg", "lift": "12 mm" } },
@@ -217,7 +217,7 @@ mod tests {
         std::thread::spawn(move || {
             chosen.with_digits(5).choose();
             let of = |value: f64, unit: &str| {
-                scale(value, unit).map(|scale| (value / scale.factor, scale.unit))
+                scale_of_thread(value, unit).map(|scale| (value / scale.factor, scale.unit))
             };
             let near = |found: Option<(f64, String)>, value: f64, unit: &str| {
                 let (number, name) = found.unwrap();
@@ -242,7 +242,7 @@ mod tests {
         .join()
         .unwrap();
         // Other threads have their own.
-        assert!(scale(0.0125, "m").is_none());
+        assert!(scale_of_thread(0.0125, "m").is_none());
         assert_eq!(shown_digits(7), 7);
     }
 

@@ -20,10 +20,12 @@ pub fn findings<'a>(scene: &str, answer: &FoundValue, source: Source<'a>) -> Fin
     let found = &answer.found;
     let mut sections = Vec::new();
     if let Some(best) = &found.best {
-        sections.push(Section::new("Conditions there").table(conditions_at(answer, &best.sample)));
-        sections.push(Section::new("Around it").table(around(answer, best)));
+        sections.push(
+            Section::new("Conditions there").table(conditions_at_table(answer, &best.sample)),
+        );
+        sections.push(Section::new("Around it").table(neighbours_table(answer, best)));
     }
-    sections.push(Section::new("Ranges in which all conditions hold").table(ranges(answer)));
+    sections.push(Section::new("Ranges in which all conditions hold").table(ranges_table(answer)));
     let charts = charts(answer);
     if !charts.is_empty() {
         sections.push(Section::new("Over the range").charts(Layout::Grid, "find", charts));
@@ -117,7 +119,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
             let ranges: Vec<String> = found
                 .ranges
                 .iter()
-                .map(|one| range(answer, [&one.from, &one.to]))
+                .map(|one| range_in_words(answer, [&one.from, &one.to]))
                 .collect();
             (
                 format!("All conditions hold for {path} {}.", ranges.join(" and ")),
@@ -170,7 +172,7 @@ fn first_refusal(answer: &FoundValue) -> String {
 }
 
 /// The two ends of a range in words.
-fn range(answer: &FoundValue, [from, to]: [&ConditionEnd; 2]) -> String {
+fn range_in_words(answer: &FoundValue, [from, to]: [&ConditionEnd; 2]) -> String {
     let [from, to] = [from, to].map(|end| end.sample.value);
     match from == to {
         true => format!("at {}", parameter(answer, from, DIGITS)),
@@ -244,21 +246,21 @@ fn figure(answer: &FoundValue, name: &str, value: Option<f64>) -> String {
 }
 
 /// Each condition with its figure at a place.
-fn conditions_at(answer: &FoundValue, sample: &Sample) -> Table {
+fn conditions_at_table(answer: &FoundValue, sample: &Sample) -> Table {
     let violated = sample.violated(&answer.conditions);
     let row = |(at, one): (usize, &Condition)| {
         let holds = !violated.contains(&at);
         vec![
             Cell::address(&one.text, condition_words(&one.text, &one.figure)),
             Cell::from(figure(answer, &one.figure, sample.figures[at])),
-            Cell::from(if holds { "holds" } else { "does not hold" }).judged(Some(holds)),
+            Cell::from(if holds { "holds" } else { "does not hold" }).with_outcome(Some(holds)),
         ]
     };
     Table::new(["condition", ">result", ""]).rows(answer.conditions.iter().enumerate().map(row))
 }
 
 /// The places about the answer.
-fn around(answer: &FoundValue, best: &Best) -> Table {
+fn neighbours_table(answer: &FoundValue, best: &Best) -> Table {
     let all = &answer.found.samples;
     let place = all
         .iter()
@@ -289,15 +291,15 @@ fn around(answer: &FoundValue, best: &Best) -> Table {
         cells.extend(
             figures.map(|(condition, value)| Cell::from(figure(answer, &condition.figure, *value))),
         );
-        cells.push(judged(answer, one));
+        cells.push(sample_cell(answer, one));
         cells
     };
     Table::new(heads.iter().map(String::as_str)).rows(shown.iter().map(row))
 }
 
-fn judged(answer: &FoundValue, one: &Sample) -> Cell {
+fn sample_cell(answer: &FoundValue, one: &Sample) -> Cell {
     if one.state != State::Computed {
-        return Cell::from(state_words(&one.state)).judged(Some(false));
+        return Cell::from(state_words(&one.state)).with_outcome(Some(false));
     }
     // Of an equality the ranges know where it is met.
     let within = answer
@@ -306,12 +308,12 @@ fn judged(answer: &FoundValue, one: &Sample) -> Cell {
         .iter()
         .any(|range| (range.from.sample.share..=range.to.sample.share).contains(&one.share));
     match within {
-        true => Cell::from("hold").judged(Some(true)),
-        false => Cell::from("do not hold").judged(Some(false)),
+        true => Cell::from("hold").with_outcome(Some(true)),
+        false => Cell::from("do not hold").with_outcome(Some(false)),
     }
 }
 
-fn ranges(answer: &FoundValue) -> Table {
+fn ranges_table(answer: &FoundValue) -> Table {
     let row = |one: &Range| {
         let ends = [&one.from, &one.to];
         let [from, to] = ends.map(|end| Cell::from(parameter(answer, end.sample.value, DIGITS)));
@@ -343,7 +345,7 @@ fn charts(answer: &FoundValue) -> Vec<Plot> {
 }
 
 /// A relation as it is written by hand.
-fn written(sign: &str) -> String {
+fn relation_sign(sign: &str) -> String {
     sign.replace(">=", "≥").replace("<=", "≤")
 }
 
@@ -366,7 +368,7 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
         let limit = figure(answer, name, Some(one.value));
         Rule::level(
             one.value,
-            format!("{} {limit}", written(one.relation.sign())),
+            format!("{} {limit}", relation_sign(one.relation.sign())),
         )
     });
     let best = answer.found.best.as_ref().map(|best| {

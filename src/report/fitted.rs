@@ -13,7 +13,7 @@ pub fn fitted(text: &str, width: usize) -> String {
             None => (line, ""),
         };
         match line.chars().count() > width {
-            true => out.push_str(&folded(line, width)),
+            true => out.push_str(&wrapped_line(line, width)),
             false => out.push_str(line),
         }
         out.push_str(end);
@@ -21,7 +21,7 @@ pub fn fitted(text: &str, width: usize) -> String {
     out
 }
 
-fn folded(line: &str, width: usize) -> String {
+fn wrapped_line(line: &str, width: usize) -> String {
     let characters: Vec<char> = line.chars().collect();
     let indent = indent(&characters, width);
     let mut out = String::new();

@@ -111,7 +111,7 @@ pub(crate) fn run(
     beside: &RunExtras<'_>,
     before: &Charts,
 ) -> LiveRun {
-    let merged = record.merged();
+    let merged = record.with_closeups();
     let label = if beside.pins.is_empty() { "" } else { NOW };
     let pinned = beside.pins.iter();
     let pinned = pinned.map(|&(name, result)| (name, &result.record));
@@ -123,7 +123,9 @@ pub(crate) fn run(
             over: &Abscissa::Time,
         })
         .collect();
-    let over = beside.over.and_then(|signals| over(&series, signals));
+    let over = beside
+        .over
+        .and_then(|signals| signal_over_signal(&series, signals));
     let boxes = Diagram::of(model).boxes;
     let shown = boxes.iter().take(CHARTED).filter_map(|one| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
@@ -207,7 +209,7 @@ pub(crate) fn accuracy(certificate: &Certificate) -> String {
 }
 
 /// The dynamic model, and the equations, as parts of a page.
-pub(crate) fn model(system: &System) -> [String; 2] {
+pub(crate) fn model_and_equations(system: &System) -> [String; 2] {
     let model = system.model();
     let frequencies = Frequencies {
         engaged: system.natural_frequencies(Regime::Engaged),
@@ -230,17 +232,19 @@ fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
     let runs: Vec<(&str, &Figures)> = std::iter::once((NOW, figures)).chain(pinned).collect();
     let table = FigureTable::of("pinned runs", &runs);
     let words = format!("In per cent: by how much each result differs from that of “{first}”.");
-    let head = Section::new("Beside pinned runs").words(words);
+    let head = Section::new("Beside pinned runs").with_paragraph(words);
     let ids = figures.objects.keys().map(String::as_str);
-    let sections = ids.chain(["run"]).map(|id| compare::figures(&table, id));
+    let sections = ids
+        .chain(["run"])
+        .map(|id| compare::figures_section(&table, id));
     let sections = std::iter::once(head).chain(sections);
     sections.filter(|section| !section.is_empty()).collect()
 }
 
 /// The names of the columns of a record, each with its unit.
-pub(crate) fn signals(record: &Record) -> Vec<[String; 2]> {
+pub(crate) fn signal_names(record: &Record) -> Vec<[String; 2]> {
     let columns = record.columns.iter();
-    let columns = columns.map(|one| [named(one), one.unit.to_owned()]);
+    let columns = columns.map(|one| [column_name(one), one.unit.to_owned()]);
     std::iter::once([TIME.to_owned(), "s".to_owned()])
         .chain(columns)
         .collect()
@@ -249,16 +253,16 @@ pub(crate) fn signals(record: &Record) -> Vec<[String; 2]> {
 /// Stands for the instants of a record among its columns.
 const TIME: &str = "t";
 
-fn named(column: &Column) -> String {
+fn column_name(column: &Column) -> String {
     format!("{}.{}", column.object, column.quantity.name())
 }
 
 /// A signal over another, a curve a run; `None` where no run has both.
-fn over(runs: &[RunSeries<'_>], [x, y]: &[String; 2]) -> Option<Plot> {
+fn signal_over_signal(runs: &[RunSeries<'_>], [x, y]: &[String; 2]) -> Option<Plot> {
     let signal = |record: &'_ Record, name: &str| match name {
         TIME => Some((record.times.clone(), "s")),
         name => {
-            let column = record.columns.iter().find(|one| named(one) == name)?;
+            let column = record.columns.iter().find(|one| column_name(one) == name)?;
             Some((column.values.clone(), column.unit))
         }
     };
@@ -297,15 +301,15 @@ fn charts(shown: &[ObjectCharts], over: Option<Plot>, before: &Charts) -> Charts
         format!("{} {labels:?}", plot.title)
     });
     let likeness: String = first
-        .chain(shown.iter().map(ObjectCharts::likeness))
+        .chain(shown.iter().map(ObjectCharts::text_without_numbers))
         .collect();
     if likeness == before.likeness {
         if let Some(plot) = &over {
-            plots.again(plot, [WIDE, OVER.0], OVER.1);
+            plots.chart_of_known_picture(plot, [WIDE, OVER.0], OVER.1);
         }
         for one in shown {
             for chart in &one.charts {
-                plots.again(chart, one.size(), &one.link());
+                plots.chart_of_known_picture(chart, one.chart_size(), &one.link());
             }
         }
         return Charts {
@@ -331,7 +335,7 @@ fn charts(shown: &[ObjectCharts], over: Option<Plot>, before: &Charts) -> Charts
 /// cell, row by row from the lowest.
 pub(crate) fn map(study: &Study<'_>, result: &MapResult) -> (String, Plots, Vec<String>) {
     let mut plots = Plots::live(OF_MAP);
-    let picture = picture::steered(study, result, &mut plots);
+    let picture = picture::interactive_map(study, result, &mut plots);
     let cells = result.panels.first().into_iter().flatten();
     let note = |cell: &Option<crate::studies::map::Cell>| match cell {
         None => String::new(),
@@ -354,11 +358,11 @@ pub(crate) fn map(study: &Study<'_>, result: &MapResult) -> (String, Plots, Vec<
 
 /// The charts of a map by their number.
 pub(crate) fn described_map(plots: &Plots) -> Value {
-    described(plots, OF_MAP)
+    describe_plots(plots, OF_MAP)
 }
 
-fn described(plots: &Plots, first: usize) -> Value {
-    let all = plots.parts().1.iter().enumerate();
+fn describe_plots(plots: &Plots, first: usize) -> Value {
+    let all = plots.columns_and_charts().1.iter().enumerate();
     let all = all.map(|(index, plot)| ((first + index).to_string(), plot.clone()));
     Value::Object(all.collect())
 }
@@ -375,7 +379,7 @@ pub(crate) fn findings(found: &Findings<'_>) -> Value {
         "answer": found.answer.as_ref().map(verdict_banner),
         "warnings": warnings(&found.warnings),
         "html": html,
-        "plots": described(&plots, OF_QUESTION),
-        "columns": plots.parts().0,
+        "plots": describe_plots(&plots, OF_QUESTION),
+        "columns": plots.columns_and_charts().0,
     })
 }

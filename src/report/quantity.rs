@@ -37,8 +37,8 @@ pub(in crate::report) fn units(figures: &Figures, id: &str) -> Units {
 
 /// The scale in which numbers up to `magnitude` in `unit` (SI) read best:
 /// 1 … 1000 of it. Beyond the prefixes powers of ten are used.
-pub fn scale(magnitude: f64, unit: &str) -> Scale {
-    if let Some(chosen) = display_units::scale(magnitude, unit) {
+pub fn readable_scale(magnitude: f64, unit: &str) -> Scale {
+    if let Some(chosen) = display_units::scale_of_thread(magnitude, unit) {
         return chosen;
     }
     let plain = Scale {
@@ -65,7 +65,7 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
     Scale {
         factor: 10f64.powi(exponent),
         unit: prefixes
-            .before(unit, exponent)
+            .prefixed_unit(unit, exponent)
             .unwrap_or_else(|| format!("10{} {unit}", superscript(exponent))),
     }
 }
@@ -98,7 +98,7 @@ impl Prefixes {
     }
 
     /// The unit with the prefix of a power of ten; `None` where there is none.
-    fn before(self, unit: &str, exponent: i32) -> Option<String> {
+    fn prefixed_unit(self, unit: &str, exponent: i32) -> Option<String> {
         if exponent == 0 {
             return Some(unit.to_owned());
         }
@@ -120,7 +120,7 @@ impl Prefixes {
 
 /// A value with its unit, to `digits` significant digits: `7.50086 mrad`.
 pub fn with_unit(value: f64, unit: &str, digits: usize) -> String {
-    let scale = scale(value, unit);
+    let scale = readable_scale(value, unit);
     let number = significant(value / scale.factor, display_units::shown_digits(digits));
     if scale.unit.is_empty() || scale.unit == "1" {
         number
@@ -154,7 +154,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 }
 
 /// A text whose numbers have their powers of ten above the line: 5.2e-7 as 5.2·10⁻⁷.
-pub fn raised(text: &str) -> String {
+pub fn with_raised_powers(text: &str) -> String {
     let part_of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '-' | '+');
     let mut out = String::with_capacity(text.len());
     for piece in text.split_inclusive(|c| !part_of_word(c)) {
@@ -262,7 +262,9 @@ pub(in crate::report) fn capitalised(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{escape, raised, scale, shortened, significant, subscript, with_unit};
+    use super::{
+        escape, readable_scale, shortened, significant, subscript, with_raised_powers, with_unit,
+    };
 
     #[test]
     fn values_read_with_si_prefixes() {
@@ -285,8 +287,8 @@ mod tests {
         assert_eq!(with_unit(-2.5e7, "rad", 6), "−25·10⁶ rad");
         assert_eq!(with_unit(3e-17, "m", 2), "30·10⁻¹⁸ m");
         assert_eq!(with_unit(0.0, "m", 3), "0 m");
-        assert_eq!(scale(1000.0, "N").unit, "kN");
-        assert_eq!(scale(999.0, "N").unit, "N");
+        assert_eq!(readable_scale(1000.0, "N").unit, "kN");
+        assert_eq!(readable_scale(999.0, "N").unit, "N");
     }
 
     #[test]
@@ -299,7 +301,7 @@ mod tests {
             .chain(["s", "m²", "m³", "1/m", "deg", "%", "N m/rad"]);
         for unit in units {
             for power in -15..=15 {
-                let shown = scale(10f64.powi(power), unit);
+                let shown = readable_scale(10f64.powi(power), unit);
                 let first = shown.unit.split([' ', '/']).next().unwrap();
                 let wrong = [
                     "mkg", "kkg", "µkg", "krad", "Mrad", "km", "ks", "mdeg", "m%",
@@ -348,7 +350,7 @@ mod tests {
             ("ends at 1e-9.", "ends at 10⁻⁹."),
             ("", ""),
         ] {
-            assert_eq!(raised(plain), set);
+            assert_eq!(with_raised_powers(plain), set);
         }
     }
 

@@ -84,7 +84,7 @@ fn row(one: &Requirement) -> Vec<Cell> {
     vec![
         Cell::from(words_of(one)),
         Cell::from(found),
-        Cell::from(words).judged(Some(one.holds())),
+        Cell::from(words).with_outcome(Some(one.holds())),
         Cell::from(why),
         Cell::from(source),
     ]

@@ -7,7 +7,7 @@
 mod reading;
 
 use super::findings::table::Value;
-use super::quantity::{coded, escape, raised, with_unit};
+use super::quantity::{coded, escape, with_raised_powers, with_unit};
 use super::symbols::{Setting, symbols};
 use serde::Serialize;
 use std::fmt;
@@ -111,13 +111,15 @@ impl Sentence {
     /// As a piece of a page: of each quantity the value is its title.
     pub(in crate::report) fn html(&self) -> String {
         let part = |part: &Part| match part {
-            Part::Words(words) => coded(&symbols(&escape(&raised(words)), Setting::Page)),
+            Part::Words(words) => {
+                coded(&symbols(&escape(&with_raised_powers(words)), Setting::Page))
+            }
             Part::Quantity(one) => format!(
                 "<span class=\"quantity\" title=\"{} {}\" data-digits=\"{}\">{}</span>",
                 one.value,
                 escape(&one.unit),
                 one.digits,
-                escape(&raised(&one.words))
+                escape(&with_raised_powers(&one.words))
             ),
         };
         self.0.iter().map(part).collect()

@@ -25,7 +25,7 @@ pub(in crate::report) fn symbols(text: &str, setting: Setting) -> String {
         let (index, next) = after.split_at(length.unwrap_or(after.len()));
         out.push_str(before);
         match is_symbol(before, index, next) {
-            true => out.push_str(&set(index, next.is_empty(), setting)),
+            true => out.push_str(&symbol_with_index(index, next.is_empty(), setting)),
             false => {
                 out.push('_');
                 out.push_str(index);
@@ -53,7 +53,7 @@ fn is_symbol(before: &str, index: &str, next: &str) -> bool {
     alone && known && ends && (1..=LONGEST).contains(&index.chars().count())
 }
 
-fn set(index: &str, last: bool, setting: Setting) -> String {
+fn symbol_with_index(index: &str, last: bool, setting: Setting) -> String {
     // (What follows in a picture goes back to the line.)
     let back = if last {
         ""

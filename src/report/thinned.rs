@@ -22,8 +22,8 @@ pub(in crate::report) struct PageRecord {
 /// The record with closeups among its samples. Of every stretch the first sample stays, and those
 /// with the least and the greatest value of each column; columns of masses and links are left out
 /// where there are very many.
-pub(in crate::report) fn drawn(record: &Record) -> PageRecord {
-    let mut record = record.merged();
+pub(in crate::report) fn record_to_draw(record: &Record) -> PageRecord {
+    let mut record = record.with_closeups();
     let left_out = leave_out_columns(&mut record, MOST_COLUMNS);
     let most = (MOST / (record.columns.len() + 1)).max(LEAST);
     PageRecord {
@@ -110,7 +110,7 @@ fn extremes(values: &[f64]) -> [Option<usize>; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{LEAST, MOST, MOST_COLUMNS, drawn, thinned};
+    use super::{LEAST, MOST, MOST_COLUMNS, record_to_draw, thinned};
     use crate::dynamics::record::{Column, Quantity, Record};
 
     fn record(samples: usize) -> Record {
@@ -140,7 +140,7 @@ mod tests {
     fn peaks_gaps_and_ends_stay() {
         let samples = 200_000;
         let given = record(samples);
-        let thin = drawn(&given).record;
+        let thin = record_to_draw(&given).record;
         let most = MOST / 3;
         assert!((most / 2..=most).contains(&thin.times.len()));
         assert!(thin.times.is_sorted());
@@ -162,7 +162,7 @@ mod tests {
             own.quantity = Quantity::MassSpeed(mass);
             given.columns.push(own);
         }
-        let thin = drawn(&given);
+        let thin = record_to_draw(&given);
         assert_eq!(thin.left_out, 502 - MOST_COLUMNS);
         assert_eq!(thin.record.columns.len(), MOST_COLUMNS);
         // The object's own columns stay, in their places.

@@ -62,7 +62,7 @@ impl Verdict {
     }
 
     /// An answer that judges, in a sentence, and what is to be added.
-    pub(in crate::report) fn judged(
+    pub(in crate::report) fn of_judgement(
         judgement: Judgement,
         headline: impl Into<Sentence>,
         text: impl Into<Sentence>,
@@ -83,7 +83,7 @@ impl Verdict {
 
     /// The sentence that follows the headline, with the verdict in words where neither states
     /// it.
-    pub fn said(&self) -> Sentence {
+    pub fn following_sentence(&self) -> Sentence {
         let words = self.judgement.map_or("", Judgement::words);
         let text = self.text.to_string();
         let stated = format!("{} {text}", self.headline).to_lowercase();
@@ -105,18 +105,18 @@ pub fn verdict(figures: &Figures) -> Verdict {
     let ending = ending(figures);
     let failed_check = judgement == Judgement::NotToBeTrusted && ending != RunEnd::OfComputation;
     let text = match judgement {
-        _ if ending != RunEnd::Complete && !failed_check => all(stopped(figures, ending)),
+        _ if ending != RunEnd::Complete && !failed_check => two_sentences(stopped(figures, ending)),
         Judgement::NotToBeTrusted if ending == RunEnd::OfScene => {
-            let ended = all(stopped(figures, ending));
-            ended.words(". ").sentence(failed(figures))
+            let ended = two_sentences(stopped(figures, ending));
+            ended.words(". ").sentence(first_failed_check(figures))
         }
-        Judgement::NotToBeTrusted => failed(figures),
+        Judgement::NotToBeTrusted => first_failed_check(figures),
         Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => {
             let course = pairs(figures, judgement);
-            all([course.said, course.missing])
+            two_sentences([course.said, course.missing])
         }
     };
-    Verdict::judged(judgement, judgement.words(), text)
+    Verdict::of_judgement(judgement, judgement.words(), text)
 }
 
 /// The verdict of a run as its answer: first what became of the mechanism, or `result` where
@@ -125,26 +125,27 @@ pub(in crate::report) fn run_answer(figures: &Figures, result: Option<Sentence>)
     let judgement = Judgement::of(figures);
     let ending = ending(figures);
     let [headline, text] = match (judgement, ending) {
-        (Judgement::NotToBeTrusted, RunEnd::OfScene) => {
-            [failed(figures), all(stopped(figures, ending))]
-        }
+        (Judgement::NotToBeTrusted, RunEnd::OfScene) => [
+            first_failed_check(figures),
+            two_sentences(stopped(figures, ending)),
+        ],
         (Judgement::NotToBeTrusted, _) if ending != RunEnd::OfComputation => {
-            [failed(figures), Sentence::default()]
+            [first_failed_check(figures), Sentence::default()]
         }
         (_, RunEnd::Complete) => {
             let course = pairs(figures, judgement);
             match result.filter(|_| !course.fails) {
-                Some(result) => [result, all([course.said, course.missing])],
+                Some(result) => [result, two_sentences([course.said, course.missing])],
                 None => [course.said, course.missing],
             }
         }
         _ => stopped(figures, ending),
     };
-    Verdict::judged(judgement, headline, text)
+    Verdict::of_judgement(judgement, headline, text)
 }
 
 /// Two sentences behind each other.
-fn all([first, second]: [Sentence; 2]) -> Sentence {
+fn two_sentences([first, second]: [Sentence; 2]) -> Sentence {
     match first.is_empty() || second.is_empty() {
         true => first.sentence(second),
         false => first.words(" ").sentence(second),
@@ -152,7 +153,7 @@ fn all([first, second]: [Sentence; 2]) -> Sentence {
 }
 
 /// The first check that a run failed.
-fn failed(figures: &Figures) -> Sentence {
+fn first_failed_check(figures: &Figures) -> Sentence {
     let run = &figures.run;
     let failed = checks(figures).into_iter().find(|check| !check.passed());
     let reason = match failed {
@@ -226,7 +227,7 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Course {
     let creeping: Vec<Sentence> = figures
         .objects
         .iter()
-        .filter_map(|(id, object)| Some(creeps(id, object.creep?, units(figures, id))))
+        .filter_map(|(id, object)| Some(creep_sentence(id, object.creep?, units(figures, id))))
         .collect();
     if !creeping.is_empty() {
         return Course {
@@ -240,7 +241,7 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Course {
         (false, 0) => "No loss of contact during the run.".to_owned(),
         (false, count) => format!(
             "Contacts separate {} while the start dies away, none in the steady window.",
-            times(count)
+            times_in_words(count)
         ),
     };
     course(text.into(), false)
@@ -260,15 +261,18 @@ fn complaint(id: &str, pair: &PairFigures, units: Units) -> Option<Sentence> {
         None => pair.separations > 0,
     };
     fails.then(|| {
-        Sentence::from(format!("{id} separates {}, ", times(pair.separations)))
-            .quantity(pair.separated_time, "s", 4)
-            .words(" in all, the longest ")
-            .quantity(pair.longest_separation, "s", 4)
+        Sentence::from(format!(
+            "{id} separates {}, ",
+            times_in_words(pair.separations)
+        ))
+        .quantity(pair.separated_time, "s", 4)
+        .words(" in all, the longest ")
+        .quantity(pair.longest_separation, "s", 4)
     })
 }
 
 /// An object that regularised friction does not hold at rest.
-fn creeps(id: &str, creep: CreepFigures, units: Units) -> Sentence {
+fn creep_sentence(id: &str, creep: CreepFigures, units: Units) -> Sentence {
     Sentence::from(format!("{id} creeps at "))
         .quantity(creep.speed, &format!("{}/s", units.displacement), 4)
         .words(" under ")
@@ -276,7 +280,7 @@ fn creeps(id: &str, creep: CreepFigures, units: Units) -> Sentence {
         .words(" of friction; it would rest")
 }
 
-fn times(count: u64) -> String {
+fn times_in_words(count: u64) -> String {
     match count {
         1 => "once".into(),
         2 => "twice".into(),
@@ -336,7 +340,7 @@ mod tests {
         let (mut figures, _) = fixture::run(2, 0.03, 50);
         let answer = |figures: &_| {
             let found = run_answer(figures, Some(Sentence::from("Greatest |δ|: 1 mm.")));
-            format!("{} | {}", found.headline, found.said())
+            format!("{} | {}", found.headline, found.following_sentence())
         };
         let said = answer(&figures);
         assert!(said.starts_with("rocker separates"), "{said}");

@@ -42,7 +42,7 @@ fn reported(name: &str) -> (Model, RunSettings) {
 fn take_for_uniform(model: &mut Model) {
     for node in &mut model.nodes {
         if let NodeMotion::Prescribed { motion, track } = &mut node.motion {
-            let jet = motion.jet(motion.breaks().locate(0.0, 1.0), 0.0);
+            let jet = motion.jet(motion.breaks().segment_at(0.0, 1.0), 0.0);
             let (speed, angle) = (jet.first, jet.value);
             (*motion, *track) = (DriveMotion::Constant { speed, angle }, None);
         }
@@ -211,7 +211,7 @@ fn a_greatest_value_that_its_state_does_not_show_is_found() {
     assert!(count >= 5, "{count}");
     for one in 0..count {
         let mut recorded = found.recorded.clone();
-        recorded.confirmed[one] = recorded.confirmed[one].off(1e-4);
+        recorded.confirmed[one] = recorded.confirmed[one].with_share_of_error(1e-4);
         let mut check = found.equations.clone();
         check_confirmed_peaks(&mut check, &recorded, system.model(), 1e-6);
         assert!(!check.is_kept(), "{one}");

@@ -146,11 +146,11 @@ impl Axis {
     /// The setting `PATH=VALUE` of a value, as [`crate::frontend::scene::Overrides`]
     /// takes it; every digit of the value is kept.
     pub fn setting(&self, value: f64) -> String {
-        format!("{}={}", self.path, self.written(value))
+        format!("{}={}", self.path, self.value_with_unit(value))
     }
 
     /// The value with its unit, every digit kept: `250 rpm`, `1e7`.
-    pub fn written(&self, value: f64) -> String {
+    pub fn value_with_unit(&self, value: f64) -> String {
         // A whole number may address a count, which takes no fraction.
         let number = if value.fract() == 0.0 && value.abs() < 1e15 {
             format!("{value:.0}")
@@ -251,7 +251,7 @@ mod tests {
         let axis = Axis::parse("a.b=1e-3:0.5:3").unwrap();
         assert_eq!(axis.setting(1e-3), "a.b=0.001");
         assert_eq!(axis.setting(2.0), "a.b=2");
-        assert_eq!(axis.written(1e22), "1e22");
+        assert_eq!(axis.value_with_unit(1e22), "1e22");
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(super) struct Choice {
 
 impl Choice {
     /// One method for everything.
-    pub(super) fn general(chosen: MethodChoice) -> Self {
+    pub(super) fn one_method(chosen: MethodChoice) -> Self {
         Self {
             method: chosen.method,
             tolerance: chosen.tolerance,
@@ -56,7 +56,7 @@ impl Choice {
 
     /// One method with the tolerance of the scene.
     pub(super) fn single_method(method: Method, settings: &RunSettings, why: &str) -> Self {
-        Self::general(single_method(method, settings, why))
+        Self::one_method(single_method(method, settings, why))
     }
 
     /// Exact propagation of everything.

@@ -17,7 +17,7 @@ const DIGITS: usize = 3;
 /// Turns of a drive in a time; infinite or none where its angle is no number.
 fn drive_turns(motion: &DriveMotion, time: f64) -> f64 {
     let breaks = motion.breaks();
-    let at = |time: f64| motion.jet(breaks.locate(time, 1.0), time).value;
+    let at = |time: f64| motion.jet(breaks.segment_at(time, 1.0), time).value;
     (at(time) - at(0.0)).abs() / TAU
 }
 

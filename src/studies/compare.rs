@@ -123,7 +123,7 @@ impl Comparison {
 
     /// How many are enough: for the greatest |δ| and the contact force of the object whose
     /// model is varied, a sentence each; `told` is a value, its error and their unit in words.
-    pub fn enough(&self, told: impl Fn(f64, f64, &str) -> String) -> Vec<String> {
+    pub fn describe_enough_masses(&self, told: impl Fn(f64, f64, &str) -> String) -> Vec<String> {
         let Some((id, _)) = self.over.rsplit_once('.') else {
             return Vec::new();
         };

@@ -92,7 +92,7 @@ impl Condition {
     pub fn parse(text: &str, model: &Model) -> Result<Self, String> {
         let wrong = |what: String| format!("`{text}`: {what}");
         let (figure, relation, value) =
-            split(text).map_err(|what| wrong(format!("{what}; {FORM}")))?;
+            split_condition(text).map_err(|what| wrong(format!("{what}; {FORM}")))?;
         // A span may stand at the end: FIGURE <= VALUE UNIT from ANGLE to ANGLE.
         let (value, figure) = match value.split_once(" from ") {
             Some((value, span)) => (value.trim(), format!("{figure} from {}", span.trim())),
@@ -181,7 +181,7 @@ impl WrittenUnit {
 }
 
 /// The figure, the relation and the value of a condition, none of them read yet.
-fn split(text: &str) -> Result<(&str, Relation, &str), &'static str> {
+fn split_condition(text: &str) -> Result<(&str, Relation, &str), &'static str> {
     let at = text
         .find(['<', '>', '=', '≤', '≥'])
         .ok_or("no `<=`, `>=` or `=`")?;

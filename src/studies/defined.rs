@@ -21,7 +21,7 @@ pub fn undefined(model: &Model, duration: f64) -> Vec<Fault> {
         }
     }
     for load in &model.loads {
-        let Some(written) = load.law.written() else {
+        let Some(written) = load.law.expression_load() else {
             continue;
         };
         let of_time = over_time(model, load, written);

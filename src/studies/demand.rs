@@ -34,10 +34,10 @@ impl Demand<'_> {
 
     /// The parts of a system that is propagated exactly as a whole; its modes are not
     /// tried beforehand.
-    pub(super) fn parts(&self, system: &System) -> Result<Parts, Vec<Fault>> {
+    pub(super) fn exact_parts(&self, system: &System) -> Result<Parts, Vec<Fault>> {
         match self.laws {
             Some(laws) => exact::whole_with(system, &mut laws.borrow_mut()),
-            None => exact::whole(system),
+            None => exact::exact_parts(system),
         }
     }
 }

@@ -33,7 +33,7 @@ impl DeadEnd {
 }
 
 /// Places ever nearer to an end, on the side of a free place.
-pub(super) fn approach(end: f64, free: f64) -> [f64; 4] {
+pub(super) fn places_towards_end(end: f64, free: f64) -> [f64; 4] {
     DECADES.map(|decade| end + 10f64.powi(decade) * (free - end))
 }
 
@@ -48,7 +48,7 @@ pub(super) fn unbounded(values: &[f64; 4]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{DeadEnd, approach, unbounded};
+    use super::{DeadEnd, places_towards_end, unbounded};
 
     #[test]
     fn a_place_is_at_a_dead_end_by_its_distance_in_parts_of_the_reach() {
@@ -59,7 +59,9 @@ mod tests {
 
     #[test]
     fn growth_with_a_root_of_the_distance_has_no_bound_and_a_finite_end_has_one() {
-        let of = |f: fn(f64) -> f64| unbounded(&approach(2.0, 3.0).map(|place| f(place - 2.0)));
+        let of = |f: fn(f64) -> f64| {
+            unbounded(&places_towards_end(2.0, 3.0).map(|place| f(place - 2.0)))
+        };
         assert!(of(|d| d.powf(-0.5)) && of(|d| 1.0 / d) && of(|d| d.powf(-1.5)));
         // From the other side of zero, and beside what stays.
         assert!(of(|d| d.powf(-0.5) - 50.0) && of(|d| d.powf(-0.5) - 500.0));

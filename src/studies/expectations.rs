@@ -41,7 +41,7 @@ impl Verdict {
     /// On an expectation that was not judged, and why.
     pub(crate) fn not_judged(expectation: &Expectation, why: &str) -> Self {
         let open = match &expectation.what {
-            Expected::Figure { figure, allowed } => Self::open(figure.clone(), allowed),
+            Expected::Figure { figure, allowed } => Self::not_judged_yet(figure.clone(), allowed),
             Expected::Stops {
                 reason,
                 time,
@@ -51,7 +51,7 @@ impl Verdict {
                     value: *time,
                     within: *within,
                 };
-                Self::open(format!("stops: {reason}"), &allowed)
+                Self::not_judged_yet(format!("stops: {reason}"), &allowed)
             }
         };
         Self {
@@ -62,7 +62,7 @@ impl Verdict {
     }
 
     /// Not judged yet.
-    fn open(what: String, allowed: &AllowedValues) -> Self {
+    fn not_judged_yet(what: String, allowed: &AllowedValues) -> Self {
         let (at_least, at_most) = match *allowed {
             AllowedValues::Near { .. } => (None, None),
             AllowedValues::Between { least, most } => (least, most),
@@ -167,7 +167,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
         Some(Fault::new(
             format!("expect.{index}.figure"),
             format!("there is no result `{figure}`"),
-            instead_of(figure, &close),
+            suggest_instead(figure, &close),
         ))
     };
     expectations
@@ -179,7 +179,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
 
 /// What to write in place of a result that a run does not have: similar addresses, or what the
 /// result needs.
-pub(super) fn instead_of(figure: &str, close: &[String]) -> String {
+pub(super) fn suggest_instead(figure: &str, close: &[String]) -> String {
     match figure.strip_suffix(".pair.margin") {
         Some(object) => format!(
             "only a rigid object has it, with \"masses\": 0; an elastic one has the least contact \
@@ -204,7 +204,7 @@ fn check_figure(
     result: &RunResult,
     known: &BTreeMap<String, Option<f64>>,
 ) -> Verdict {
-    let mut verdict = Verdict::open(figure.to_owned(), allowed);
+    let mut verdict = Verdict::not_judged_yet(figure.to_owned(), allowed);
     let value = match known.get(figure) {
         Some(Some(found)) => Ok(*found),
         // It says why there is none.
@@ -231,8 +231,8 @@ fn check_figure(
 }
 
 /// The verdict on a figure that was found, or has no value.
-pub(super) fn judged(figure: &str, allowed: &AllowedValues, found: Option<f64>) -> Verdict {
-    let mut verdict = Verdict::open(figure.to_owned(), allowed);
+pub(super) fn verdict_on(figure: &str, allowed: &AllowedValues, found: Option<f64>) -> Verdict {
+    let mut verdict = Verdict::not_judged_yet(figure.to_owned(), allowed);
     match found {
         Some(found) => judge(&mut verdict, allowed, found),
         None => verdict.message = format!("{figure} has no value in this motion"),
@@ -245,7 +245,7 @@ fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdi
         value: time,
         within,
     };
-    let mut verdict = Verdict::open(format!("stops: {reason}"), &allowed);
+    let mut verdict = Verdict::not_judged_yet(format!("stops: {reason}"), &allowed);
     verdict.found = Some(result.outcome.time);
     match &result.figures.run.stopped {
         Some(stopped) if stopped == reason => judge(&mut verdict, &allowed, result.outcome.time),
@@ -260,14 +260,14 @@ fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdi
 fn judge(verdict: &mut Verdict, allowed: &AllowedValues, found: f64) {
     verdict.found = Some(found);
     // A number that is none fails.
-    verdict.holds = allowed.holds(found);
+    verdict.holds = allowed.contains_value(found);
     verdict.message = match *allowed {
-        AllowedValues::Near { value, within } => near(verdict, found, value, within),
-        AllowedValues::Between { least, most } => between(verdict, found, [least, most]),
+        AllowedValues::Near { value, within } => verdict_near(verdict, found, value, within),
+        AllowedValues::Between { least, most } => verdict_between(verdict, found, [least, most]),
     };
 }
 
-fn near(verdict: &Verdict, found: f64, expected: f64, within: f64) -> String {
+fn verdict_near(verdict: &Verdict, found: f64, expected: f64, within: f64) -> String {
     let what = &verdict.what;
     let off = (found - expected).abs();
     if verdict.holds {
@@ -285,7 +285,7 @@ fn near(verdict: &Verdict, found: f64, expected: f64, within: f64) -> String {
     }
 }
 
-fn between(verdict: &Verdict, found: f64, [least, most]: [Option<f64>; 2]) -> String {
+fn verdict_between(verdict: &Verdict, found: f64, [least, most]: [Option<f64>; 2]) -> String {
     let what = &verdict.what;
     let limits: Vec<String> = [("at least", least), ("at most", most)]
         .into_iter()
@@ -400,7 +400,7 @@ mod tests {
                 kind: "drive",
                 coordinate: Coordinate::Turning,
                 nodes: vec![0],
-                inputs: PartInput::only(None),
+                inputs: PartInput::behind_one_driver(None),
                 combination: None,
                 driven_end: None,
                 links: Vec::new(),

@@ -69,7 +69,7 @@ impl Judgement {
         // What stops at its very start, as by self-locking, leaves nothing to check.
         let at_start = made.ending == RunEnd::OfMechanism && made.time <= 0.0;
         let checks = if at_start { &[] } else { made.checks };
-        let judged = Self::decide(made.ending, checks, || Self::of_objects(objects));
+        let judged = Self::judge_result(made.ending, checks, || Self::of_objects(objects));
         match say_nothing(checks) {
             true => judged.uncertified(),
             false => judged,
@@ -78,7 +78,11 @@ impl Judgement {
 
     /// The one rule by which every result is judged: how its computation ended and its checks
     /// come before what it says of the mechanism.
-    pub fn decide(ending: RunEnd, checks: &[Check], mechanism: impl FnOnce() -> Self) -> Self {
+    pub fn judge_result(
+        ending: RunEnd,
+        checks: &[Check],
+        mechanism: impl FnOnce() -> Self,
+    ) -> Self {
         let checked = checks.iter().all(Check::passed);
         match ending {
             RunEnd::OfComputation => Self::NotToBeTrusted,
@@ -199,7 +203,7 @@ pub enum RunEnd {
 
 impl RunEnd {
     /// How a run ended that stopped for a reason of this short name.
-    pub(in crate::studies) fn named(stopped: &str) -> Self {
+    pub(in crate::studies) fn end_of_stopped_run(stopped: &str) -> Self {
         match stopped {
             "complete" => Self::Complete,
             // A budget that is spent says nothing of what was computed until then.
@@ -218,7 +222,7 @@ impl RunEnd {
 pub fn ending(figures: &Figures) -> RunEnd {
     match figures.run.complete {
         true => RunEnd::Complete,
-        false => RunEnd::named(figures.run.stopped.as_deref().unwrap_or("")),
+        false => RunEnd::end_of_stopped_run(figures.run.stopped.as_deref().unwrap_or("")),
     }
 }
 
@@ -301,9 +305,16 @@ mod tests {
 
     #[test]
     fn a_stop_of_an_unknown_name_certifies_nothing() {
-        assert_eq!(RunEnd::named("dead_position"), RunEnd::OfMechanism);
+        assert_eq!(
+            RunEnd::end_of_stopped_run("dead_position"),
+            RunEnd::OfMechanism
+        );
         for unknown in ["", "method", "something_new"] {
-            assert_eq!(RunEnd::named(unknown), RunEnd::OfComputation, "{unknown}");
+            assert_eq!(
+                RunEnd::end_of_stopped_run(unknown),
+                RunEnd::OfComputation,
+                "{unknown}"
+            );
         }
     }
 }

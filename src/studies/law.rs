@@ -60,12 +60,23 @@ pub struct ResponseUnits {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LiftOff {
-    /// At this speed (rad/s), to one part in a thousand.
+    /// At this speed (rad/s), to one part in 100 000.
     At(f64),
     /// Not up to this speed.
     Above(f64),
     /// Even at this speed, the lowest tried.
     Below(f64),
+}
+
+impl LiftOff {
+    /// The same at another speed, a function of this one.
+    pub(crate) fn map(self, speed: impl FnOnce(f64) -> f64) -> Self {
+        match self {
+            Self::At(found) => Self::At(speed(found)),
+            Self::Above(tried) => Self::Above(speed(tried)),
+            Self::Below(tried) => Self::Below(speed(tried)),
+        }
+    }
 }
 
 /// Share of the greatest U′ and U″ below which a law stands still.
@@ -108,7 +119,7 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
         .filter(|(_, time)| (window[0]..=window[1]).contains(*time))
         .filter_map(|(row, _)| {
             let phi = *angles.get(row)?;
-            let segment = breaks.locate(phi, 1.0);
+            let segment = breaks.segment_at(phi, 1.0);
             Some(Sample {
                 jet: law.position.jet(segment, phi).scaled(law.lever),
                 delta: *deltas.get(row)?,
@@ -171,7 +182,7 @@ const STEP: f64 = 1.2;
 /// Most speeds tried upwards and downwards.
 const MOST_STEPS: usize = 16;
 /// Relative width to which lift-off is found.
-const WIDTH: f64 = 1e-3;
+const WIDTH: f64 = 1e-5;
 /// More halvings than that width ever takes.
 const HALVINGS: u32 = 100;
 
@@ -207,6 +218,17 @@ pub fn lift_off<E>(
         });
     }
     let ends = if begin { [far, near] } else { [near, far] };
+    edge_between(ends, opens).map(LiftOff::At)
+}
+
+/// The speed between a lower one at which a pair stays closed and a higher one at which it opens.
+///
+/// # Errors
+/// The first error of `opens`.
+pub(super) fn edge_between<E>(
+    ends: [f64; 2],
+    mut opens: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<f64, E> {
     let mut error = None;
     let found = try_bisect(ends, HALVINGS, WIDTH, |speed| match opens(speed) {
         Ok(opens) => Some(!opens),
@@ -217,7 +239,7 @@ pub fn lift_off<E>(
     });
     match (found, error) {
         (_, Some(error)) => Err(error),
-        (Ok(ends) | Err(ends), None) => Ok(LiftOff::At(middle(ends))),
+        (Ok(ends) | Err(ends), None) => Ok(middle(ends)),
     }
 }
 
@@ -235,7 +257,7 @@ mod tests {
             let LiftOff::At(speed) = found else {
                 panic!("{found:?}");
             };
-            assert!((speed / edge - 1.0).abs() < 1e-3, "{speed}");
+            assert!((speed / edge - 1.0).abs() < 1e-5, "{speed}");
         }
         let never = lift_off(1.0, |_| Ok::<bool, ()>(false)).unwrap();
         assert!(matches!(never, LiftOff::Above(speed) if speed > 15.0));

@@ -33,7 +33,8 @@ pub fn without_limit<'a>(
         speeds.into_iter().flatten().any(|speed| speed > 0.0)
     };
     let parts = model.objects.iter().enumerate();
-    let parts = parts.filter_map(|(index, part)| Some((part, cause(scene, model, index)?)));
+    let parts =
+        parts.filter_map(|(index, part)| Some((part, cause_of_limit(scene, model, index)?)));
     let parts: Vec<(&ObjectPart, Cause)> = parts.filter(|(part, _)| strikes(part)).collect();
     let mut told = Vec::new();
     for address in asked {
@@ -66,7 +67,7 @@ enum Cause {
     Stop,
 }
 
-fn cause(scene: &TypedScene, model: &Model, object: usize) -> Option<Cause> {
+fn cause_of_limit(scene: &TypedScene, model: &Model, object: usize) -> Option<Cause> {
     let part = &model.objects[object];
     if model.stop(object).is_some_and(|stop| stop.law.is_rigid()) {
         Some(Cause::Stop)

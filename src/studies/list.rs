@@ -23,7 +23,7 @@ impl ValueList {
         let (path, list) = text.split_once('=').ok_or("no `=`")?;
         let path = path.trim();
         let values: Vec<String> = match serde_json::from_str::<Vec<Value>>(list) {
-            Ok(values) => values.iter().map(written).collect(),
+            Ok(values) => values.iter().map(list_item_text).collect(),
             Err(_) => list.split(',').map(|word| word.trim().to_owned()).collect(),
         };
         if path.is_empty() || values.is_empty() || values.iter().any(String::is_empty) {
@@ -43,7 +43,7 @@ impl ValueList {
 }
 
 /// A JSON value as it stands in a list; a text that is a quantity without its quotes.
-fn written(value: &Value) -> String {
+fn list_item_text(value: &Value) -> String {
     let quantity = |text: &&str| number_and_unit(text).is_some_and(|(_, unit)| !unit.is_empty());
     match value.as_str().filter(quantity) {
         Some(text) => text.to_owned(),

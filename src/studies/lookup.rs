@@ -9,7 +9,7 @@
 use super::cam::{
     CONTACT_RESULTS, CamForce, ElasticContact, Reserve, contact_result, disc_cam, preload_unit,
 };
-use super::expectations::{Verdict, judged};
+use super::expectations::{Verdict, verdict_on};
 use super::run::run;
 use super::spans;
 use super::steady::{self, Answer, steady_motion_within};
@@ -355,7 +355,7 @@ pub fn check_cam(
             StudyAddress::Cam { object, name } if object == id => Some(Verdict {
                 source: expectation.source.clone(),
                 // What has no value, for whatever reason, does not hold.
-                ..judged(figure, allowed, value(name))
+                ..verdict_on(figure, allowed, value(name))
             }),
             _ => None,
         }

@@ -4,7 +4,7 @@ use super::choice::Choice;
 use super::choice::single_method;
 use super::demand::Demand;
 use super::document::can_open;
-use super::exact::{Mixed, mixed, tried};
+use super::exact::{Mixed, mixed, parts_with_tried_modes};
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::energy::EnergyAudit;
@@ -40,7 +40,7 @@ pub(super) fn choose_method(
     }
     if demand.figures.is_some()
         && matches!(settings.method, None | Some(Method::Exact))
-        && let Ok(parts) = demand.parts(system)
+        && let Ok(parts) = demand.exact_parts(system)
     {
         return Ok(Choice::exact(parts, settings, "it is the quickest"));
     }
@@ -60,16 +60,20 @@ pub(super) fn choose_method(
                 None => Ok(Choice::single_method(Method::Taylor, settings, "asked for")),
             },
         },
-        Some(Method::Exact) => Ok(Choice::exact(tried(system)?, settings, "asked for")),
+        Some(Method::Exact) => Ok(Choice::exact(
+            parts_with_tried_modes(system)?,
+            settings,
+            "asked for",
+        )),
         Some(method) => Ok(Choice::single_method(method, settings, "asked for")),
-        None => Ok(match tried(system) {
+        None => Ok(match parts_with_tried_modes(system) {
             Ok(parts) => {
                 let why = why_exact(&parts);
                 Choice::exact(parts, settings, &why)
             }
             Err(_) => match mixed(system) {
                 Some(mixed) => choose_for_remainder(system, settings, mixed),
-                None => Choice::general(choose(&situation(system, settings))),
+                None => Choice::one_method(choose(&situation(system, settings))),
             },
         }),
     }
@@ -124,7 +128,7 @@ fn choose_for_remainder(system: &System, settings: &RunSettings, mixed: Mixed) -
         name: format!("{} + {}", Method::Exact, chosen.method),
         parts: Some(parts),
         rest: Some(rest),
-        ..Choice::general(MethodChoice { why, ..chosen })
+        ..Choice::one_method(MethodChoice { why, ..chosen })
     }
 }
 
@@ -132,7 +136,7 @@ fn choose_for_remainder(system: &System, settings: &RunSettings, mixed: Mixed) -
 pub(super) fn choose_general(system: &System, settings: &RunSettings, because: &str) -> Choice {
     let chosen = choose(&situation(system, settings));
     let why = format!("{because}; {}", chosen.why);
-    Choice::general(MethodChoice { why, ..chosen })
+    Choice::one_method(MethodChoice { why, ..chosen })
 }
 
 /// The next general method, where the results of those that were tried are in doubt; `None`
@@ -159,7 +163,7 @@ pub(super) fn choose_next(
         true => format!("{because}; {}", chosen.why),
         false => format!("{because}; {} instead", next.method),
     };
-    Some(Choice::general(MethodChoice {
+    Some(Choice::one_method(MethodChoice {
         method: next.method,
         tolerance: next.tolerance,
         reserve: left.collect(),
@@ -211,7 +215,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
     let (fastest, eigenvalues) = rates(system);
     let modes = eigenvalues.unwrap_or_default();
     let duration = settings.duration;
-    let vibrations = vibration_frequencies(system).map(|frequency| nearest(frequency, &modes));
+    let vibrations = vibration_frequencies(system).map(|frequency| nearest_mode(frequency, &modes));
     let turning = driving_speeds(system, duration).fold(0.0, f64::max);
     Situation {
         fastest,
@@ -231,7 +235,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
 
 /// The mode that a base frequency (rad/s) has become in the whole mechanism; an
 /// undamped vibration where there is none near it.
-fn nearest(frequency: f64, eigenvalues: &[[f64; 2]]) -> Vibration {
+fn nearest_mode(frequency: f64, eigenvalues: &[[f64; 2]]) -> Vibration {
     let modes = eigenvalues.iter().filter(|[_, im]| *im > 0.0);
     let modes = modes.map(|[re, im]| Vibration {
         frequency: re.hypot(*im),
@@ -258,7 +262,7 @@ fn driving_speeds(system: &System, duration: f64) -> impl Iterator<Item = f64> {
                     let breaks = motion.breaks();
                     (0..=LOOKS)
                         .map(|look| duration * look as f64 / LOOKS as f64)
-                        .map(|time| motion.jet(breaks.locate(time, 1.0), time).first.abs())
+                        .map(|time| motion.jet(breaks.segment_at(time, 1.0), time).first.abs())
                         .fold(0.0, f64::max)
                 }
                 // The scale of a rotor's speed is its nominal speed.

@@ -123,7 +123,7 @@ mod tests {
     use crate::frontend::scene::{BuiltIn, Document, Overrides};
     use crate::studies::expectations::check;
     use crate::studies::order::{Certainty, Certificate, FigureAccuracy};
-    use crate::studies::spread::spread;
+    use crate::studies::spread::repeat_with_changes;
     use serde_json::{Value, json};
 
     fn made(text: &str) -> Mechanism {
@@ -145,7 +145,8 @@ mod tests {
             let mechanism = made(&text);
             let result = mechanism.run().unwrap();
             let free = Budget::FREE;
-            let moved = spread(&mechanism.system, &mechanism.settings, &result, &free).unwrap();
+            let moved = repeat_with_changes(&mechanism.system, &mechanism.settings, &result, &free)
+                .unwrap();
             let offered = offers(&result, mechanism.certificate.as_ref(), Some(&moved));
             assert!(offered.len() > 4, "{scene}: {offered:?}");
             let entries = offered.iter().filter_map(|one| {

@@ -1,7 +1,7 @@
 //! What a scene expects, judged by every study that it takes.
 
 use super::condition::Condition;
-use super::expectations::{self, Requirement, Verdict, judged as judged_figure};
+use super::expectations::{self, Requirement, Verdict, verdict_on as judged_figure};
 use super::forces::ForceStudy;
 use super::judgement::Judgement;
 use super::kinematics::Kinematics;
@@ -14,7 +14,7 @@ use crate::frontend::scene::{Expectation, Expected, StudyAddress};
 use std::collections::BTreeMap;
 
 /// Judges everything that a scene expects, in its order, by the run and the studies that it takes.
-pub fn judged(subject: Subject<'_>) -> Vec<Requirement> {
+pub fn judge_requirements(subject: Subject<'_>) -> Vec<Requirement> {
     let mut studies = Studies {
         subject,
         run: None,
@@ -47,10 +47,12 @@ impl Studies<'_> {
                 object,
                 ..
             }) => ("kinematics", self.kinematics(object, one)),
-            Some(StudyAddress::Linkage { object, .. }) => ("forces", self.forces(object, one)),
-            Some(StudyAddress::Steady { .. }) => ("steady", self.steady(one)),
+            Some(StudyAddress::Linkage { object, .. }) => {
+                ("forces", self.verdict_on_forces(object, one))
+            }
+            Some(StudyAddress::Steady { .. }) => ("steady", self.verdict_on_steady_motion(one)),
             Some(StudyAddress::Within(within)) => match StudyAddress::of(within.figure) {
-                Some(StudyAddress::Linkage { study, .. }) => (study, self.within(one)),
+                Some(StudyAddress::Linkage { study, .. }) => (study, self.verdict_over_part(one)),
                 _ => ("run", self.run(one)),
             },
             Some(StudyAddress::Cam { .. } | StudyAddress::Frequency { .. }) | None => {
@@ -87,15 +89,15 @@ impl Studies<'_> {
             return Err(format!("the run ends early, at t = {time} s: {why}"));
         }
         let verdict = expectations::check(std::slice::from_ref(one), result).pop();
-        verdict.ok_or_else(nobody)
+        verdict.ok_or_else(not_required)
     }
 
-    fn steady(&mut self, one: &Expectation) -> Result<Verdict, String> {
+    fn verdict_on_steady_motion(&mut self, one: &Expectation) -> Result<Verdict, String> {
         let subject = self.subject;
         let found = self.steady.get_or_insert_with(|| steady_of(subject));
         let answer = found.as_ref().map_err(Clone::clone)?;
         let verdict = steady::check(std::slice::from_ref(one), answer).pop();
-        verdict.ok_or_else(nobody)
+        verdict.ok_or_else(not_required)
     }
 
     fn kinematics(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
@@ -109,10 +111,10 @@ impl Studies<'_> {
         let found = found.as_ref().map_err(Clone::clone)?;
         check_kinematics(std::slice::from_ref(one), found)
             .pop()
-            .ok_or_else(nobody)
+            .ok_or_else(not_required)
     }
 
-    fn forces(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
+    fn verdict_on_forces(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
         let (model, duration) = (self.subject.system.model(), self.subject.settings.duration);
         let known = self.forces.entry(object.to_owned());
         let found = known.or_insert_with(|| {
@@ -123,13 +125,13 @@ impl Studies<'_> {
         let found = found.as_ref().map_err(Clone::clone)?;
         check_forces(std::slice::from_ref(one), object, found)
             .pop()
-            .ok_or_else(nobody)
+            .ok_or_else(not_required)
     }
 
     /// A figure of kinematics or forces over a part of the course.
-    fn within(&self, one: &Expectation) -> Result<Verdict, String> {
+    fn verdict_over_part(&self, one: &Expectation) -> Result<Verdict, String> {
         let Expected::Figure { figure, allowed } = &one.what else {
-            return Err(nobody());
+            return Err(not_required());
         };
         let found = lookup::figure(figure, self.subject).map_err(|faults| in_words(&faults))?;
         Ok(Verdict {
@@ -149,7 +151,7 @@ fn trusted(judgement: Judgement, study: &str) -> Result<(), String> {
     }
 }
 
-fn nobody() -> String {
+fn not_required() -> String {
     "no study judges it".to_owned()
 }
 

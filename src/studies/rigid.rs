@@ -15,7 +15,7 @@ pub struct Rigid {
 impl Rigid {
     /// The label of a result of a model; `None`: nothing in it is elastic.
     pub fn label(model: &Model, included_by: &[&'static str]) -> Option<Self> {
-        let without = elastic(model);
+        let without = elastic_objects(model);
         (!without.is_empty()).then(|| Self {
             without,
             included_by: included_by.to_vec(),
@@ -38,7 +38,7 @@ impl Rigid {
 }
 
 /// The objects with masses on springs; those of modes are inner parts of theirs.
-pub fn elastic(model: &Model) -> Vec<String> {
+pub fn elastic_objects(model: &Model) -> Vec<String> {
     let is_mass = |&node: &usize| matches!(model.nodes[node].motion, NodeMotion::Mass { .. });
     let mut found: Vec<String> = Vec::new();
     for part in &model.objects {
@@ -53,7 +53,7 @@ pub fn elastic(model: &Model) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Rigid, elastic};
+    use super::{Rigid, elastic_objects};
     use crate::ask::Scene;
 
     #[test]
@@ -72,7 +72,7 @@ mod tests {
             let count: u32 = value.parse().unwrap();
             let scene = scene.set(name, count);
             let mechanism = scene.prepare().unwrap();
-            let found = elastic(mechanism.model());
+            let found = elastic_objects(mechanism.model());
             assert_eq!(
                 found,
                 ["rocker"].map(str::to_owned)[..usize::from(named)],

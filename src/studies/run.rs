@@ -169,7 +169,7 @@ impl Motion {
     }
 
     /// Why its numbers are not to be had, or in doubt, where another method may do better.
-    pub(super) fn doubt(&self, settings: &RunSettings) -> Option<String> {
+    pub(super) fn reason_for_doubt(&self, settings: &RunSettings) -> Option<String> {
         match &self.choice.parts {
             Some(_) => self.doubt_of_exact(settings),
             None => {
@@ -268,7 +268,7 @@ fn ending_at(settings: &RunSettings, time: f64) -> RunSettings {
 ///
 /// # Errors
 /// Those of [`run`].
-pub(super) fn ended(
+pub(super) fn settings_until_condition(
     system: &System,
     settings: &RunSettings,
     control: &Control<'_>,
@@ -296,7 +296,7 @@ fn whole_motion(
 ) -> Result<Motion, Vec<Fault>> {
     let choice = choose_method(system, settings, &demand)?;
     let mut tried = Vec::new();
-    let mut found = attempt(system, settings, &demand, control, sinks, choice)?;
+    let mut found = run_by_method(system, settings, &demand, control, sinks, choice)?;
     let whole = Demand {
         figures: None,
         ..demand
@@ -312,10 +312,10 @@ fn whole_motion(
         let steps = REFINEMENT * found.outcome.statistics.steps.max(1) as f64;
         finer.step = Some(settings.duration / steps);
         let choice = choose_method(system, &finer, &demand)?;
-        found = attempt(system, &finer, &demand, control, sinks, choice)?;
+        found = run_by_method(system, &finer, &demand, control, sinks, choice)?;
     }
     while settings.method.is_none()
-        && let Some(why) = found.doubt(settings)
+        && let Some(why) = found.reason_for_doubt(settings)
     {
         if found.choice.parts.is_none() {
             tried.push(found.choice.method);
@@ -323,13 +323,13 @@ fn whole_motion(
         let Some(next) = choose_next(system, settings, &why, &tried) else {
             break;
         };
-        found = attempt(system, settings, &whole, control, sinks, next)?;
+        found = run_by_method(system, settings, &whole, control, sinks, next)?;
     }
     Ok(found)
 }
 
 /// Runs once by a method.
-fn attempt(
+fn run_by_method(
     system: &System,
     settings: &RunSettings,
     demand: &Demand<'_>,
@@ -376,7 +376,7 @@ fn attempt(
         (Some(parts), Some(rest)) => {
             let own = |initial: &InitialState, sink: &mut dyn Sink| {
                 let (outcome, changes) =
-                    follow(&rest.system, initial, duration, plan, &limits, sink);
+                    integrate_by_plan(&rest.system, initial, duration, plan, &limits, sink);
                 changed.replace(changes);
                 outcome
             };
@@ -385,7 +385,7 @@ fn attempt(
         }
         (Some(parts), None) => {
             let sink = &mut Tee(sinks);
-            exact::follow(system, parts, &initial, recording, &limits, figures, sink)
+            exact::run_whole_system(system, parts, &initial, recording, &limits, figures, sink)
         }
         (None, _) => {
             let mut recorder = Recorder::new(system, recording);
@@ -394,7 +394,8 @@ fn attempt(
                 all.push(*sink);
             }
             let sink = &mut Tee(&mut all);
-            let (outcome, changes) = follow(system, &initial, duration, plan, &limits, sink);
+            let (outcome, changes) =
+                integrate_by_plan(system, &initial, duration, plan, &limits, sink);
             changed.replace(changes);
             exact::MotionFindings {
                 recorded: recorder.finish(),
@@ -470,7 +471,7 @@ const STEPS_IN_RUN: f64 = 1024.0;
 const MOST_STEPS_IN_CYCLE: f64 = 16384.0;
 
 /// Integrates; follows the drives, finely enough, when there is nothing to integrate.
-fn follow(
+fn integrate_by_plan(
     system: &System,
     initial: &InitialState,
     duration: f64,

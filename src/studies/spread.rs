@@ -57,7 +57,7 @@ impl Spread {
 ///
 /// # Errors
 /// The changed system cannot be built or started.
-pub fn spread(
+pub fn repeat_with_changes(
     system: &System,
     settings: &RunSettings,
     base: &RunResult,

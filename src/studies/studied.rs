@@ -4,7 +4,7 @@
 //! ([`Kinematics::figure`], [`ForceStudy::figure`]); they are those that `dam
 //! kinematics` and `dam forces` find when nothing further is asked.
 
-use super::expectations::{Verdict, did_you_mean, judged};
+use super::expectations::{Verdict, did_you_mean, verdict_on};
 use super::forces::{self, ForceStudy, NoForces, figures, figures_of_inputs, only_loaded_output};
 use super::kinematics::{
     self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Over, Question, linkage_of,
@@ -21,10 +21,10 @@ use crate::units::{Mismatch, Quantity, parse};
 pub use super::kinematics::{DescribedFigure, POSITIONS, ends};
 
 /// All results of linkages that a scene can expect, by study.
-pub fn described() -> [(&'static str, Vec<DescribedFigure>); 2] {
+pub fn described_results() -> [(&'static str, Vec<DescribedFigure>); 2] {
     [
-        ("kinematics", kinematics::described()),
-        ("forces", forces::described()),
+        ("kinematics", kinematics::described_results()),
+        ("forces", forces::described_results()),
     ]
 }
 
@@ -161,7 +161,7 @@ fn check(
         let at = Address::of(address)?;
         (at.study == study && at.object == object).then(|| Verdict {
             source: expectation.source.clone(),
-            ..judged(address, allowed, figure(at.figure))
+            ..verdict_on(address, allowed, figure(at.figure))
         })
     };
     expectations.iter().filter_map(judge).collect()

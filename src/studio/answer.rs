@@ -237,7 +237,7 @@ impl Ran {
         });
         let verdicts: Vec<Value> = verdicts.collect();
         let others = expected.iter().filter(|one| !of_run(one)).count();
-        let (columns, plots) = shown.charts.plots.parts();
+        let (columns, plots) = shown.charts.plots.columns_and_charts();
         let bytes = |column: &Vec<Option<f64>>| {
             let numbers = column.iter().map(|value| value.unwrap_or(f64::NAN));
             numbers.flat_map(f64::to_le_bytes).collect()
@@ -269,7 +269,7 @@ impl Ran {
             "compared": shown.compared,
             "figures": result.figures.objects,
             "moving": shown.moving,
-            "signals": live::signals(&result.record),
+            "signals": live::signal_names(&result.record),
             "pins": view.names(),
         });
         let answer = Answer {
@@ -288,7 +288,7 @@ impl Ran {
 
 /// Whether the model of a scene is judged before it answers, which takes longer.
 pub(super) fn is_judged(scene: &TypedScene) -> bool {
-    scene.elastic().open().next().is_some() || scene.run.accuracy.is_some()
+    scene.elastic().open_levels().next().is_some() || scene.run.accuracy.is_some()
 }
 
 fn key(text: &str) -> u64 {
@@ -335,7 +335,7 @@ pub(super) struct Had {
 
 impl Had {
     /// The frame of an answer that a window is sent now.
-    pub(super) fn take(&mut self, answer: &Answer) -> Vec<u8> {
+    pub(super) fn next_frame(&mut self, answer: &Answer) -> Vec<u8> {
         let frame = answer.frame(self);
         if self.charts != answer.charts {
             // Others may be in sight.

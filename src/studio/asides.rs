@@ -12,7 +12,7 @@ use crate::frontend::scene::{
 };
 use crate::report::live;
 use crate::studies::offer::offers;
-use crate::studies::spread::spread;
+use crate::studies::spread::repeat_with_changes;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -47,7 +47,7 @@ impl<'a> Aside<'a> {
     }
 
     /// What a scene may be made of: kinds, and objects of the catalogue.
-    pub(super) fn parts(&self) -> Value {
+    pub(super) fn available_parts(&self) -> Value {
         let registry = Registry::standard();
         let kinds = registry.kinds().iter().map(|kind| {
             let inputs = match kind.inputs {
@@ -76,7 +76,7 @@ impl<'a> Aside<'a> {
     /// be run.
     pub(super) fn model(&self) -> Option<Value> {
         self.of_mechanism(ModelAssessment::Asked, |mechanism| {
-            let [model, equations] = live::model(&mechanism.system);
+            let [model, equations] = live::model_and_equations(&mechanism.system);
             let accuracy = mechanism.certificate.as_ref().map(live::accuracy);
             json!({ "model": accuracy.unwrap_or_default() + &model, "equations": equations })
         })
@@ -122,7 +122,7 @@ impl<'a> Aside<'a> {
             if budget.is_spent() {
                 return json!({ "figures": [], "refused": "the run takes too long to be repeated here" });
             }
-            let moved = spread(&mechanism.system, &mechanism.settings, &result, &budget).ok();
+            let moved = repeat_with_changes(&mechanism.system, &mechanism.settings, &result, &budget).ok();
             // What was not run to its end says nothing of errors.
             let moved = moved.filter(|_| !budget.is_spent());
             json!({ "figures": offers(&result, mechanism.certificate.as_ref(), moved.as_ref()) })

@@ -104,7 +104,7 @@ impl<C: Catalogue + Sync> Task<'_, C> {
 
     fn message(&self, study: &Study<'_>, found: &MapResult) -> String {
         let (html, plots, notes) = live::map(study, found);
-        let columns = plots.parts().0;
+        let columns = plots.columns_and_charts().0;
         json!({
             "type": "map",
             "version": self.version,

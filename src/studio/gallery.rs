@@ -31,7 +31,7 @@ pub(super) struct Scenario {
 pub(super) fn scenarios() -> Vec<Scenario> {
     let rows = || TABLES.lines().filter_map(cells);
     let groups = rows().filter(|cells| cells.len() == 2 && cells[1].starts_with('`'));
-    let groups: Vec<(&str, Vec<&str>)> = groups.map(|row| (row[0], quoted(row[1]))).collect();
+    let groups: Vec<(&str, Vec<&str>)> = groups.map(|row| (row[0], quoted_words(row[1]))).collect();
     let group = |name: &str| {
         let folder = name.split('/').next()?;
         let asks = |(_, folders): &&(&str, Vec<&str>)| folders.contains(&folder);
@@ -39,7 +39,7 @@ pub(super) fn scenarios() -> Vec<Scenario> {
     };
     let asked = rows().filter(|cells| cells.len() == 3 && cells[0].starts_with('`'));
     let named = asked.flat_map(|row| {
-        let names = quoted(row[0]).into_iter();
+        let names = quoted_words(row[0]).into_iter();
         names.map(move |name| (name, row[1].replace('`', "")))
     });
     let known = named.filter(|(name, _)| scenario(name).is_some());
@@ -143,7 +143,7 @@ fn cells(line: &'static str) -> Option<Vec<&'static str>> {
 }
 
 /// What stands in quotes.
-fn quoted(cell: &'static str) -> Vec<&'static str> {
+fn quoted_words(cell: &'static str) -> Vec<&'static str> {
     cell.split('`').skip(1).step_by(2).collect()
 }
 

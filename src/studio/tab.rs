@@ -16,7 +16,7 @@ use super::limits::{CELLS, QUICK};
 use super::messages::{Beginning, MapRequest};
 use super::pins::{KeptPin, Source};
 use super::preview;
-use super::view::{View, merged};
+use super::view::{View, with_closeups};
 use crate::ask::ModelAssessment;
 use crate::budget::Instant;
 use crate::frontend::scene::{BuiltIn, Document};
@@ -135,7 +135,7 @@ impl Tab {
                 of,
                 query,
             } => reply(number, self.get(&path, &of, &query), tell),
-            Request::Look { number } => reply(number, Ok(look()), tell),
+            Request::Look { number } => reply(number, Ok(page_styles_and_scripts()), tell),
             Request::Begin { number, from } => {
                 reply(number, gallery::beginning(&from).map(Value::from), tell);
             }
@@ -162,10 +162,10 @@ impl Tab {
         if !is_first {
             tell(Told::Text(message.clone()));
         }
-        self.see(pins, over);
+        self.set_page_view(pins, over);
         let judged = [ModelAssessment::Asked].into_iter().filter(|_| is_judged);
         for judging in [ModelAssessment::Never].into_iter().chain(judged) {
-            match answered(&asked, judging) {
+            match answer_request(&asked, judging) {
                 Err(faults) => return tell(Told::Text(faults)),
                 Ok(ran) => self.tell_run(ran, tell),
             }
@@ -191,7 +191,7 @@ impl Tab {
         let Some(ran) = &self.ran else { return };
         let (answer, charts) = ran.answer(&self.view, &self.charts);
         self.charts = charts;
-        tell(Told::Answer(self.had.take(&answer)));
+        tell(Told::Answer(self.had.next_frame(&answer)));
     }
 
     /// The page sees these charts.
@@ -207,12 +207,12 @@ impl Tab {
     }
 
     /// What the page sees besides the run.
-    fn see(&mut self, pins: &[KeptPin], over: Option<[String; 2]>) {
+    fn set_page_view(&mut self, pins: &[KeptPin], over: Option<[String; 2]>) {
         let is_pinned = |source: &Source| pins.iter().any(|pin| pin.source == *source);
         if let Some(ran) = &self.ran
             && is_pinned(&ran.run.source)
         {
-            self.keep((*ran.run.source).clone(), merged(&ran.run.result));
+            self.store_result((*ran.run.source).clone(), with_closeups(&ran.run.result));
         }
         self.known.retain(|(source, _)| is_pinned(source));
         self.view = View::from_records(pins);
@@ -222,7 +222,7 @@ impl Tab {
         }
     }
 
-    fn keep(&mut self, source: Source, result: Arc<RunResult>) {
+    fn store_result(&mut self, source: Source, result: Arc<RunResult>) {
         if self.known.iter().all(|(known, _)| *known != source) {
             self.known.push((source, result));
         }
@@ -231,7 +231,7 @@ impl Tab {
     /// Works out the pinned runs that another worker had.
     fn work_out_pins(&mut self, tell: &dyn Fn(Told)) {
         let mut any = false;
-        while let Some(source) = self.view.waiting().cloned() {
+        while let Some(source) = self.view.waiting_run().cloned() {
             let result = run_again(&source);
             for name in self.view.worked_out(&source, result.as_ref()) {
                 let message = format!(
@@ -242,7 +242,7 @@ impl Tab {
                 ));
             }
             if let Some(result) = result {
-                self.keep((*source).clone(), result);
+                self.store_result((*source).clone(), result);
             }
             any = true;
         }
@@ -291,7 +291,7 @@ impl Tab {
         Ok(match path {
             "/api/first" => beginnings(),
             "/api/schema" => aside.schema(),
-            "/api/parts" => aside.parts(),
+            "/api/parts" => aside.available_parts(),
             "/api/model" => json!(aside.model()),
             "/api/linkages" => json!(aside.linkages(query.get("at").map(String::as_str))),
             "/api/motion" => aside.motion(query.get("object").map_or("", String::as_str)),
@@ -334,7 +334,7 @@ impl Version {
 }
 
 /// Runs a scene; the message with its faults where it cannot be.
-fn answered(
+fn answer_request(
     asked: &TextRequest<'_, BuiltIn>,
     judging: ModelAssessment,
 ) -> Result<Option<Ran>, String> {
@@ -364,7 +364,7 @@ fn run_again(source: &Source) -> Option<Arc<RunResult>> {
         .run(reading, judging, &GOES_ON)
         .ok()
         .filter(|_| is_same)?;
-    Some(merged(&ran?.run.result))
+    Some(with_closeups(&ran?.run.result))
 }
 
 /// Tells the page of its map.
@@ -406,7 +406,7 @@ fn reply(number: u64, found: Result<Value, String>, tell: &dyn Fn(Told)) {
 }
 
 /// Styles and scripts of the pages, which the studio's interface stands on.
-fn look() -> Value {
+fn page_styles_and_scripts() -> Value {
     json!({
         "look.css": live::style(),
         "plot.js": live::PLOT_SCRIPT,

@@ -14,7 +14,7 @@ impl<'t> UnitTraversal<'t> {
     }
 
     /// Goes on by some units; `None`: the text ends before, or a character is split.
-    pub(super) fn advance(&mut self, units: u64) -> Option<()> {
+    pub(super) fn skip_units(&mut self, units: u64) -> Option<()> {
         let mut left = units;
         let mut rest = self.text[self.at..].chars();
         while left > 0 {

@@ -38,7 +38,7 @@ impl View {
     pub(super) fn from_records(kept: &[KeptPin]) -> Self {
         let mut view = Self::default();
         for pin in kept {
-            let name = view.named(&pin.name, view.pins.len());
+            let name = view.distinct_name(&pin.name, view.pins.len());
             view.pins.push(Pin {
                 name,
                 source: Arc::new(pin.source.clone()),
@@ -58,7 +58,7 @@ impl View {
     }
 
     /// A pinned run that is still to be worked out again.
-    pub(super) fn waiting(&self) -> Option<&Arc<Source>> {
+    pub(super) fn waiting_run(&self) -> Option<&Arc<Source>> {
         let mut waiting = self.pins.iter().filter(|pin| pin.result.is_none());
         waiting.next().map(|pin| &pin.source)
     }
@@ -102,21 +102,21 @@ impl View {
     ///
     /// # Errors
     /// There are as many as there may be.
-    pub(super) fn pin(&mut self, name: &str, run: &SourcedRun) -> Result<(), String> {
+    pub(super) fn keep_run(&mut self, name: &str, run: &SourcedRun) -> Result<(), String> {
         if self.pins.len() >= PINS {
             return Err(format!("{PINS} runs are pinned: unpin one of them first"));
         }
         self.pins.push(Pin {
-            name: self.named(name, self.pins.len()),
+            name: self.distinct_name(name, self.pins.len()),
             source: run.source.clone(),
-            result: Some(merged(&run.result)),
+            result: Some(with_closeups(&run.result)),
         });
         Ok(())
     }
 
     /// Gives a pinned run another name.
     pub(super) fn rename(&mut self, pin: usize, name: &str) {
-        let name = self.named(name, pin);
+        let name = self.distinct_name(name, pin);
         if let Some(pin) = self.pins.get_mut(pin) {
             pin.name = name;
         }
@@ -130,7 +130,7 @@ impl View {
     }
 
     /// A name that tells the run from the others, and is not too long for a legend.
-    fn named(&self, name: &str, at: usize) -> String {
+    fn distinct_name(&self, name: &str, at: usize) -> String {
         let short: String = name.trim().chars().take(NAME).collect();
         let short = match short.is_empty() {
             true => format!("run {}", at + 1),
@@ -150,8 +150,8 @@ impl View {
 }
 
 /// A run as it is shown beside others.
-pub(super) fn merged(result: &RunResult) -> Arc<RunResult> {
-    let record = result.record.merged();
+pub(super) fn with_closeups(result: &RunResult) -> Arc<RunResult> {
+    let record = result.record.with_closeups();
     Arc::new(RunResult {
         record,
         ..result.clone()

@@ -35,7 +35,7 @@ pub(crate) fn formula(text: &str, scope: &mut dyn Scope) -> Result<Option<Measur
         quantities: Vec::new(),
         faulty: false,
     };
-    let expression = Expression::with(text, &mut symbols)?;
+    let expression = Expression::parse_with_symbols(text, &mut symbols)?;
     if symbols.faulty {
         return Ok(None);
     }
@@ -56,7 +56,7 @@ pub(crate) fn formula(text: &str, scope: &mut dyn Scope) -> Result<Option<Measur
 }
 
 /// Why a name cannot be declared: it means something in formulas already.
-pub(crate) fn hidden(name: &str) -> Option<&'static str> {
+pub(crate) fn reserved_meaning(name: &str) -> Option<&'static str> {
     let functions = FUNCTIONS.split(", ").map(|one| one.split(' ').next());
     let constant = CONSTANTS.iter().any(|(known, _)| *known == name);
     // `r` and `U` are revolutions only in r/min and U/min, where no name can stand.
@@ -82,7 +82,7 @@ struct FormulaSymbols<'s> {
 
 impl FormulaSymbols<'_> {
     /// Numbers without a unit are calculated with, all others keep their dimension.
-    fn take(&mut self, quantity: Measure) -> Symbol {
+    fn symbol_of_quantity(&mut self, quantity: Measure) -> Symbol {
         if quantity.bare {
             return Symbol::Number(quantity.value);
         }
@@ -95,7 +95,7 @@ impl Symbols for FormulaSymbols<'_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
         let found = self.scope.quantity(name)?;
         self.faulty |= found.is_none();
-        Some(found.map_or(Symbol::Number(1.0), |found| self.take(found)))
+        Some(found.map_or(Symbol::Number(1.0), |found| self.symbol_of_quantity(found)))
     }
 
     fn quantity(&mut self, text: &str) -> Option<(usize, Symbol)> {
@@ -103,7 +103,7 @@ impl Symbols for FormulaSymbols<'_> {
         let unit = unit_length(&text[number..], self.scope);
         let length = number + unit;
         let found = parse(&text[..length]).ok().filter(|_| unit > 0)?;
-        Some((length, self.take(found)))
+        Some((length, self.symbol_of_quantity(found)))
     }
 
     fn long_name_length(&self, text: &str) -> Option<usize> {
@@ -182,7 +182,7 @@ fn exponent_length(text: &str) -> usize {
 }
 
 /// A pure number that nobody gave a unit.
-const NUMBER: Measure = Measure::bare(0.0);
+const NUMBER: Measure = Measure::unitless(0.0);
 
 /// What the result of a program is, all but its value.
 fn kind_of(code: &Code, quantities: &[Measure]) -> Result<Measure, String> {
@@ -316,7 +316,7 @@ fn words(dimension: Dimension) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Scope, formula, hidden};
+    use super::{Scope, formula, reserved_meaning};
     use crate::units::{Measure, Quantity, parse, quantities as q};
     use proptest::prelude::*;
 
@@ -453,10 +453,10 @@ mod tests {
     #[test]
     fn names_that_mean_something_are_hidden() {
         for name in ["m", "s", "mm", "e", "pi", "sin", "max", "mod", "N"] {
-            assert!(hidden(name).is_some(), "{name}");
+            assert!(reserved_meaning(name).is_some(), "{name}");
         }
         for name in ["r", "U", "k", "n", "half", "x_1"] {
-            assert!(hidden(name).is_none(), "{name}");
+            assert!(reserved_meaning(name).is_none(), "{name}");
         }
     }
 

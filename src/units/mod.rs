@@ -16,7 +16,7 @@ mod shown;
 mod table;
 
 pub use dimension::Dimension;
-pub(crate) use formula::{Scope, formula, hidden};
+pub(crate) use formula::{Scope, formula, reserved_meaning};
 pub use list::{number_and_unit, with_common_unit};
 pub use parse::{Measure, UnitError, parse};
 pub use quantity::{Mismatch, Quantity, quantities};

@@ -22,7 +22,7 @@ pub struct Measure {
 
 impl Measure {
     /// A number without a unit.
-    pub(crate) const fn bare(value: f64) -> Self {
+    pub(crate) const fn unitless(value: f64) -> Self {
         Self {
             value,
             dimension: Dimension::NONE,
@@ -227,7 +227,7 @@ impl Units<'_> {
         let raised = dimension.power(exponent);
         self.dimension =
             self.dimension * raised.ok_or(UnitError::Incomplete { offset: self.at })?;
-        self.scale = self.scale.times(scale, exponent);
+        self.scale = self.scale.times_power(scale, exponent);
         Ok(())
     }
 

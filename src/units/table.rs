@@ -26,7 +26,7 @@ impl Scale {
     }
 
     /// This factor times `other` to a power.
-    pub(crate) fn times(self, other: Self, exponent: i32) -> Self {
+    pub(crate) fn times_power(self, other: Self, exponent: i32) -> Self {
         let (up, down) = if exponent >= 0 {
             (other.numerator, other.denominator)
         } else {

@@ -103,7 +103,7 @@ fn solving_allocates_nothing() {
     for i in 1..500 {
         let q = from + (to - from) * f64::from(i) / 500.0;
         if linkage.solve(q, i as usize % 4, &mut workspace).is_ok() {
-            let reduced = linkage.reduced(&workspace);
+            let reduced = linkage.reduced_linkage(&workspace);
             sum += reduced.inertia[0] + linkage.output(0, &workspace).value;
         }
     }

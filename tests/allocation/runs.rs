@@ -25,7 +25,7 @@ fn part(id: &str, nodes: Vec<usize>, driver: Option<usize>, links: Vec<usize>) -
         kind: "rocker",
         coordinate: Coordinate::Turning,
         nodes,
-        inputs: PartInput::only(driver),
+        inputs: PartInput::behind_one_driver(driver),
         links,
         combination: None,
         contact: None,
@@ -417,7 +417,7 @@ fn kinetostatics_allocate_nothing() {
             };
             let solved = solver.solve(&at, motion, &options, &mut w).unwrap();
             assert!(solved.unique && now() == before, "{name} {coordinate}");
-            let (drive, before) = (w.drive(), now());
+            let (drive, before) = (w.driver_force(), now());
             let back = solver.accelerate(&at, coordinate, 10.0, drive, &options, &mut w);
             // Where uniqueness is not proved, others are looked for.
             if back.unwrap().solved.is_some_and(|solved| solved.unique) {

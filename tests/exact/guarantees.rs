@@ -420,7 +420,7 @@ fn a_run_that_is_refused_stands_at_the_end_of_its_last_phase() {
         loop {
             let (last, time) = (cursor.end_state(), cursor.time());
             let last = (last.0.to_vec(), last.1.to_vec());
-            match cursor.advance() {
+            match cursor.next_phase() {
                 Ok(true) => {}
                 Ok(false) => break,
                 Err(_) => {

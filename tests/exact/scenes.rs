@@ -289,7 +289,10 @@ fn the_audit_of_a_tree_agrees_with_the_recorders_in_every_part() {
         let theirs = [other.drives, other.loads, other.dissipated, other.change];
         assert!(theirs[2] > 1.0, "it lifts off and dissipates: {theirs:?}");
         for (a, b) in own.iter().zip(theirs) {
-            assert!((a - b).abs() < 1e-9 * other.scale(), "{own:?} {theirs:?}");
+            assert!(
+                (a - b).abs() < 1e-9 * other.balance_scale(),
+                "{own:?} {theirs:?}"
+            );
         }
     }
 }
@@ -319,7 +322,7 @@ fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
         );
         let [_, loads, dissipated, _] = audits(&system, 0.25, &label);
         let theirs = &exact.audit;
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * theirs.scale();
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * theirs.balance_scale();
         assert!(near(loads, theirs.loads), "{label}: {loads} {theirs:?}");
         assert!(
             near(dissipated, theirs.dissipated),

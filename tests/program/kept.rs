@@ -33,7 +33,7 @@ fn figures(path: &Path) -> Figures {
     let document = Document::parse(&path.display().to_string(), &bytes).expect("a document");
     let reading = document
         .scene(
-            &LayeredCatalogue(&Folder::beside(path), &BuiltIn),
+            &LayeredCatalogue(&Folder::beside_scene(path), &BuiltIn),
             &Overrides::none(),
         )
         .expect("a scene");

@@ -185,7 +185,7 @@ fn the_committed_scenes_are_read_and_name_the_schema() {
             path.display()
         );
         let document = Document::parse("scene.json", text.as_bytes()).expect("JSON");
-        let beside = Folder::beside(&path);
+        let beside = Folder::beside_scene(&path);
         let catalogue = LayeredCatalogue(&beside, &BuiltIn);
         if let Err(diagnostics) = document.scene(&catalogue, &Overrides::none()) {
             panic!("{}: {diagnostics}", path.display());

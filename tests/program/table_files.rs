@@ -37,7 +37,7 @@ fn stderr(output: &Output) -> String {
 fn canonical(folder: &Path, points: &str) -> (serde_json::Value, String) {
     let text = SCENE.replace("POINTS", points);
     let document = Document::parse("scene.json", text.as_bytes()).unwrap();
-    let beside = Folder::beside(&folder.join("scene.json"));
+    let beside = Folder::beside_scene(&folder.join("scene.json"));
     let reading = document.scene(&LayeredCatalogue(&beside, &BuiltIn), &Overrides::none());
     let reading = reading.unwrap_or_else(|faults| panic!("{faults}"));
     (reading.canonical, reading.scene.hash)

@@ -12,6 +12,10 @@ no event: nothing is shared with the program, which runs the chain from rest unt
 - lift_off_speed: bisection on min N = 0 over the speed, from the scene's speed upwards;
   speed_for_50_N: the same on min N = 50 N.
 
+- lightly damped followers lift off in many narrow bands of speed, each about a resonance. The first
+  is found by steps of 2e-5 of the speed from far below, with N on 2^12 places of the turn, then
+  bisection with N on 2^15: nothing of resonances is used.
+
 The tappet: rigid, a valve behind it by a constant ratio r, the spring on the valve:
 N = (m_t + r^2 m_v) U'' w^2 + r (P + R r U), so P_needed = max over phi of -(N without P)/r.
 """
@@ -101,6 +105,49 @@ def results(masses, stiffness, damping, rpm):
     }
 
 
+def harmonic(tau):
+    w = math.pi
+    return (1 - math.cos(w * tau)) / 2, w * math.sin(w * tau) / 2, w * w * math.cos(w * tau) / 2
+
+
+class LightlyDamped:
+    """One mass of 0.4 kg on 3 kN/mm behind a harmonic law, closed throughout: N over a turn."""
+
+    def __init__(self, capacity, preload):
+        self.mass, self.stiffness, self.rate, self.preload = 0.4, 3e6, 10e3, preload
+        self.damping = capacity * math.sqrt(self.stiffness * self.mass) / (2 * math.pi)
+        rise, dwell = math.radians(120), math.radians(30)
+        table = [cam(phi, harmonic, 12e-3, rise, dwell, rise)[0] for phi in GRID]
+        self.spectrum = np.fft.rfft(table)
+
+    def least(self, speed, points):
+        order = np.arange(points // 2 + 1)
+        share = points / POINTS
+        lift = share * self.spectrum[: points // 2 + 1]
+        s = 1j * order * speed
+        link = self.stiffness + s * self.damping
+        right = link * lift
+        right[0] -= self.preload * points
+        y = right / (self.mass * s * s + link + self.rate)
+        return float(np.min(np.fft.irfft(link * (lift - y), points)))
+
+    def edge(self, low, high):
+        """Where the least force becomes negative between two speeds."""
+        for _ in range(30):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if self.least(middle, POINTS) > 0 else (low, middle)
+        return 0.5 * (low + high)
+
+    def first_edge(self, low, high):
+        """The least speed at which the least force becomes negative, by small steps."""
+        speed, step = low, 2e-5
+        while speed < high:
+            if self.least(speed * (1 + step), 1 << 12) <= 0:
+                return self.edge(speed * (1 - step), speed * (1 + 2 * step))
+            speed *= 1 + step
+        return None
+
+
 def valve_behind_tappet(rpm, tappet=0.08, valve=0.12, ratio=1.5, preload=200.0, rate=30e3):
     speed = rpm * RPM
     u, _, u2 = TABLE
@@ -123,6 +170,9 @@ if __name__ == "__main__":
         "two masses at 1500 rpm": results([0.18, 0.16], [9e6, 4.5e6], [180.0, 120.0], 1500),
         "tappet with a valve behind it at 2000 rpm": valve_behind_tappet(2000),
     }
+    for capacity, preload, low in [(0.02, 60, 300), (0.02, 100, 400), (0.002, 60, 150)]:
+        edge = LightlyDamped(capacity, preload).first_edge(low * RPM, 1000 * RPM)
+        found[f"lightly damped, {capacity}, {preload} N"] = {"lift_off_speed": edge}
     about = "Steady contact force of elastic followers by Fourier series; see contact_force.py."
     path = Path(__file__).with_name("contact_force.json")
     path.write_text(json.dumps({"about": about, "scenes": found}, indent=1) + "\n")

@@ -10,7 +10,7 @@ use dam::motion::DriveMotion;
 use dam::position::Position;
 use dam::record::Quantity;
 use dam::studies::run::{RunResult, run};
-use dam::studies::spread::spread;
+use dam::studies::spread::repeat_with_changes;
 use dam::studies::{Control, RunSettings, Warning};
 use dam::system::System;
 use std::f64::consts::TAU;
@@ -49,7 +49,7 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         kind,
         coordinate: Coordinate::Turning,
         nodes: vec![node],
-        inputs: PartInput::only(driver),
+        inputs: PartInput::behind_one_driver(driver),
         links: Vec::new(),
         combination: None,
         contact: None,
@@ -287,7 +287,8 @@ fn the_spread_tells_determined_figures_from_others() {
     let system = System::new(model).expect("the model is sound");
     let wanted = settings(1.0);
     let base = run(&system, &wanted, &Control::default(), &mut []).expect("it starts");
-    let spread = spread(&system, &wanted, &base, &Control::default()).expect("it starts");
+    let spread =
+        repeat_with_changes(&system, &wanted, &base, &Control::default()).expect("it starts");
     let of = |name: &str| {
         let mut figures = spread.figures.iter();
         figures

@@ -178,7 +178,7 @@ impl Object for BrakedFlywheel {
     }
 
     fn ports(&self) -> Ports {
-        Ports::driven(Coordinate::Turning)
+        Ports::with_one_driver(Coordinate::Turning)
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
@@ -312,7 +312,7 @@ fn an_own_constraint_combines_inputs() {
 fn a_value_of_another_type_is_refused() {
     let own = || dam::read::Own::new(3);
     let mut load = dam::read::Node::object();
-    load.put("own", own());
+    load.set_property("own", own());
     let error = rocker().add("other", swinging().load("odd", load)).run();
     let error = error.unwrap_err();
     assert_eq!(error.faults()[0].path, "other.loads.odd.own", "{error}");

@@ -355,7 +355,7 @@ fn a_map_has_one_level_for_all_its_points() {
 
 fn figure_within(figure: &str) -> dam::read::Node {
     let mut node = dam::read::Node::object();
-    node.put(figure, "1 %");
+    node.set_property(figure, "1 %");
     node
 }
 
@@ -381,9 +381,9 @@ fn the_contact_force_of_a_valve_train_leads_to_its_limit() {
     let scene = Scene::read("scenarios/valve_train/in_working_order.json").expect("a scene");
     let figure = "valve.pair.max_contact_force";
     let mut contact = dam::read::Node::object();
-    contact.put("stiffness", 3e7);
+    contact.set_property("stiffness", 3e7);
     let mut asked = dam::read::Node::object();
-    asked.put(figure, "1 %");
+    asked.set_property(figure, "1 %");
     let scene = scene
         .set("camshaft.motion.speed", "1950 rpm")
         .set("valve.pair.contact", contact)

@@ -20,7 +20,7 @@ fn is_left_out(found: &Reduction, part: &Part) -> bool {
 fn asking(scene: &Scene, figures: &[&str]) -> Scene {
     let mut asked = Node::object();
     for figure in figures {
-        asked.put(figure, "1 %");
+        asked.set_property(figure, "1 %");
     }
     scene.clone().set("run.accuracy", asked)
 }
@@ -200,7 +200,7 @@ fn a_search_that_is_ended_says_so() {
 fn a_smaller_scene_that_runs_slower_is_not_offered() {
     let scene = Scene::read("scenarios/rocker/ten_masses_closed.json").expect("a scene");
     let mut asked = Node::object();
-    asked.put("rocker.delta_abs", "20 %");
+    asked.set_property("rocker.delta_abs", "20 %");
     let asked = scene.clone().set("run.accuracy", asked);
     let found = asked.reduce().expect("a reduction");
     assert!(found.complete && found.holds() && found.given_holds());

@@ -152,7 +152,7 @@ fn objects(masses: usize) -> Vec<ObjectPart> {
         kind,
         coordinate: Coordinate::Turning,
         nodes,
-        inputs: PartInput::only(driver),
+        inputs: PartInput::behind_one_driver(driver),
         links,
         combination: None,
         contact: None,

@@ -4,7 +4,7 @@
 use dam::ask::ModelAssessment;
 use dam::prelude::*;
 use dam::studies::run::{RunResult, run};
-use dam::studies::spread::spread;
+use dam::studies::spread::repeat_with_changes;
 use dam::studies::{Control, RunSettings};
 use serde_json::Value;
 
@@ -172,14 +172,14 @@ fn a_spread_is_that_of_the_usual_tolerance() {
     assert!(mechanism.settings.of_accuracy.is_some());
     let base = mechanism.run().expect("a run");
     let control = Control::default();
-    let found = spread(&mechanism.system, &mechanism.settings, &base, &control);
+    let found = repeat_with_changes(&mechanism.system, &mechanism.settings, &base, &control);
     let found = found.expect("a spread");
     let usual = run_at(&mechanism, 1e-6);
     let own = RunSettings {
         of_accuracy: None,
         ..mechanism.settings.clone()
     };
-    let plain = spread(&mechanism.system, &own, &usual, &control).expect("a spread");
+    let plain = repeat_with_changes(&mechanism.system, &own, &usual, &control).expect("a spread");
     assert_eq!(found, plain);
 }
 

@@ -6,7 +6,7 @@ use dam::cam::sizing::PressureLimits;
 use dam::lower::lower;
 use dam::report::cam::{curves, cycle_rows, dxf, polygon_rows};
 use dam::scene::{BuiltIn, Document, Overrides, Reading};
-use dam::studies::cam::{CamForce, Question, Reserve, Steady, disc_cam, figures, steady_contact};
+use dam::studies::cam::{CamForce, ElasticContact, Question, Reserve, disc_cam, figures};
 use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use serde_json::Value;
@@ -131,15 +131,21 @@ fn the_pressure_on_a_flat_tappet_is_that_of_the_closed_form() {
 
 #[test]
 fn the_follower_of_the_eccentric_jumps_at_52_30_rpm_in_runs_too() {
-    let steady = |rpm: f64| {
+    let margin = |rpm: f64| {
         let machine = machine("eccentric_jump", &[&format!("cam.motion.speed={rpm} rpm")]);
         let settings = RunSettings::of(&machine.reading.scene).unwrap();
         let object = machine.index("follower");
-        steady_contact(&machine.system, object, &settings, &Control::default()).unwrap()
+        let contact = ElasticContact {
+            system: &machine.system,
+            object,
+            settings: &settings,
+            control: &Control::default(),
+        };
+        contact.force().unwrap().least.value
     };
     // By the formula 52.3037 rpm for a rigid follower; on 1 kN/mm the jump moves by less than 1e-5 of it.
-    assert_eq!(steady(52.295), Steady::Closed);
-    assert_eq!(steady(52.312), Steady::Opens);
+    assert!(margin(52.295) > 0.0);
+    assert_eq!(margin(52.312), 0.0);
 }
 
 /// Code and value of every pair of a DXF file.
@@ -275,7 +281,7 @@ fn force_and_torque_are_those_of_the_motion() {
         }
     }
     assert!(work.abs() < 1e-6, "{work}");
-    let dwell = cam.motion().locate(1.5).0;
+    let dwell = cam.motion().piece_at(1.5).0;
     let [along, normal, torque] = force.at_within_piece(1.5, dwell.from, dwell.to);
     let expected = 3.0 + 8.0 * 10f64.to_radians();
     approx::assert_relative_eq!(along, expected, max_relative = 1e-13);
@@ -317,7 +323,7 @@ fn loads_and_followers_behind_the_cam_are_carried() {
         let cut = if (1.0..2.0).contains(&phi) { 25.0 } else { 0.0 };
         let expected =
             (0.5 + 4.0 * 0.25) * q2 * 400.0 + 5.0 * q1 * 20.0 + cut + 2.0 * 3.0 + 40.0 + 3000.0 * q;
-        let (piece, _) = cam.motion().locate(phi);
+        let (piece, _) = cam.motion().piece_at(phi);
         let found = force.at_within_piece(phi, piece.from, piece.to)[0];
         approx::assert_relative_eq!(found, expected, max_relative = 1e-12);
     }

@@ -169,12 +169,12 @@ impl Listener for Lines {
 fn a_journal_torn_anywhere_gives_the_same_map() {
     let scene = load();
     let study = small(&scene);
-    let lines = Lines(Mutex::new(journal::head(&study)));
+    let lines = Lines(Mutex::new(journal::first_line(&study)));
     let whole = run(&study, BTreeMap::new(), 2, &lines);
     let wanted = everything(&study, &whole);
     let journal_text = lines.0.into_inner().unwrap();
     let bytes = journal_text.as_bytes();
-    let head = journal::head(&study).len();
+    let head = journal::first_line(&study).len();
     for length in 0..=bytes.len() {
         let read = journal::read(&study, &bytes[..length]).unwrap();
         assert!(read.whole <= length);

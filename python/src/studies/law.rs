@@ -32,7 +32,7 @@ pub(crate) fn ask(law: &str, run_up: bool, samples: usize) -> Result<Shown, Erro
         true => AnyLaw::RunUp(run_up_law(law)?),
         false => any_law(law)?,
     };
-    let law = spec.law()?;
+    let law = spec.read_law()?;
     let row = LawRow::of(&spec, &law);
     Ok(Shown { law, row, samples })
 }

@@ -63,9 +63,19 @@ pub(crate) fn columns(rows: &Rows) -> Columns {
             Some((name, unit)) => (name, unit),
             None => (head.as_str(), ""),
         };
-        Some((name.to_owned(), unit.to_owned(), rows.numbers(index)?))
+        Some((
+            name.to_owned(),
+            unit.to_owned(),
+            rows.numbers_of_column(index)?,
+        ))
     };
-    Columns(rows.head().iter().enumerate().filter_map(column).collect())
+    Columns(
+        rows.column_names()
+            .iter()
+            .enumerate()
+            .filter_map(column)
+            .collect(),
+    )
 }
 
 /// The figures of a run, with what was judged of their errors.

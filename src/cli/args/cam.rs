@@ -31,7 +31,7 @@ pub(crate) struct CamArgs {
     /// spring (0.2), or a force ("50 N") [default: 0.2]
     #[arg(long, value_name = "SHARE|FORCE")]
     pub(crate) reserve: Option<String>,
-    /// Find by runs of the dynamic model at which speed the pair opens (some 20 runs)
+    /// Find the least speed at which the elastic follower cannot stay on its cam (some 70 short runs)
     #[arg(long)]
     pub(crate) lift_off: bool,
     /// How far curves may stand off their chords in files and drawings

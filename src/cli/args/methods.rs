@@ -11,14 +11,14 @@ pub(crate) struct MethodsArgs {
     pub(crate) scene: SceneArgs,
     /// Error of δ wanted, relative to max|δ|: a method is recommended for it; with --models the
     /// model is chosen for it too [default: run.tolerance of the scene; with --models 0.01]
-    #[arg(long, value_name = "ERROR", value_parser = share)]
+    #[arg(long, value_name = "ERROR", value_parser = parse_share)]
     pub(crate) accuracy: Option<f64>,
     /// Methods to try, by name; errors are taken against `exact` where it applies,
     /// named or not [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) methods: Vec<String>,
     /// Tolerances to try [default: 1e-3, 1e-4, … 1e-13]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = share)]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_share)]
     pub(crate) tolerances: Vec<f64>,
     /// Steps to try with methods of fixed step, in seconds. The greatest stable one is
     /// measured on this motion. The run grows to no more than three times what it should be.
@@ -45,7 +45,7 @@ pub(crate) struct MethodsArgs {
     pub(crate) out: OutArgs,
 }
 
-fn share(text: &str) -> Result<f64, String> {
+fn parse_share(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value > 0.0 && value < 1.0 => Ok(value),
         Ok(_) => Err("must be above 0 and below 1".to_owned()),

@@ -37,7 +37,7 @@ const ROWS: usize = 720;
 pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let input = asker.input(&args.scene)?;
     let ready = input.prepare_and_warn(args.scene.quiet)?;
-    let id = chosen(args, &ready)?;
+    let id = chosen_object(args, &ready)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let model = ready.system.model();
     let diagnose = |faults: Vec<crate::fault::Fault>| ready.reading.places.diagnose(&faults);
@@ -60,7 +60,8 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let mut status = Status::Answered;
     let _keeping = args.lift_off.then(|| asker.guard_from_interrupt());
     if args.lift_off {
-        match lift_off::search((args, asker), &input, &ready, &id, force.as_ref().ok())? {
+        let search = lift_off::search_of(&ready, &id, force.as_ref().ok())?;
+        match lift_off::search((args, asker), &ready, &search)? {
             Some(speed) => {
                 if let Some(force) = &mut found.force {
                     force.elastic = Some(speed);
@@ -73,6 +74,10 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
                     let is_elastic = force.rigid.is_some();
                     let elastic = is_elastic.then(|| contact.figures_at(force.speed));
                     force.elastic_contact = elastic.flatten();
+                    if is_elastic {
+                        let note = lift_off::note_on_start(&contact, &search, speed);
+                        force.notes.extend(note);
+                    }
                 }
             }
             None => {
@@ -142,7 +147,7 @@ fn expectations<'r>(
 ) -> Expectations<'r> {
     let as_scene = args.scene.set.is_empty() && args.speed.is_none();
     let all = &ready.scene().expect;
-    Expectations::judged("cam", all, as_scene, |all| {
+    Expectations::judge_scene("cam", all, as_scene, |all| {
         let subject = Subject {
             scene: ready.scene(),
             system: &ready.system,
@@ -154,7 +159,7 @@ fn expectations<'r>(
 }
 
 /// The object asked for, or the only one with a cam.
-fn chosen(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
+fn chosen_object(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
     if let Some(id) = &args.object {
         return Ok(id.clone());
     }

@@ -1,7 +1,7 @@
 //! What the arguments of `dam cam` ask.
 
 use crate::cli::args::CamArgs;
-use crate::cli::failure::{Failure, refuse};
+use crate::cli::failure::{Failure, refuse_option};
 use crate::cli::quantity::option;
 use crate::frontend::object::law::read_argument;
 use crate::frontend::read::{Bounds, QuantityChoice};
@@ -30,11 +30,11 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<CamRequest, Failure>
         not_zero: false,
     };
     let roller = cam.geometry().roller().is_some();
-    refuse(
+    refuse_option(
         args.roller_factor.is_some() && !roller,
         "--roller-factor has no effect: the follower has a flat face and no roller",
     )?;
-    refuse(
+    refuse_option(
         args.least_radius.is_some() && roller,
         "--least-radius has no effect: the follower has a roller and no flat face",
     )?;

@@ -2,7 +2,7 @@
 
 mod question;
 
-use crate::cli::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, picture, warn};
+use crate::cli::answer::{Answer, AnswerForm, Content, PAGE, add_warning, ignores_until, picture};
 use crate::cli::args::{ConventionName, ForcesArgs};
 use crate::cli::asker::Asker;
 use crate::cli::console;
@@ -12,7 +12,7 @@ use crate::cli::input::Ready;
 use crate::cli::output::OutputFolder;
 use crate::cli::status::Status;
 use crate::dynamics::model::{Model, MultiLinkageBody};
-use crate::fault::{Fault, within};
+use crate::fault::{Fault, with_prefix};
 use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
@@ -79,7 +79,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     shown.label(label.as_ref(), "the forces are");
     let mut written = document(&report);
     shown.judge(&mut written, label.as_ref());
-    warn(&mut shown, &mut written, ignores_until(model));
+    add_warning(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "forces",
         findings: &shown,
@@ -186,7 +186,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<ForceAnswer, Failure> {
         let message = format!("--compare-massless: {value} is not a number above zero");
         return Err(Failure::Other(message));
     }
-    let (course, motion) = question::course(args, ready, body)?;
+    let (course, motion) = question::read_course(args, ready, body)?;
     refuse_unused(args, solver.has_friction(), &course)?;
     let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
     if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
@@ -196,7 +196,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<ForceAnswer, Failure> {
         )));
     }
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
-    let acting = ActingLoads::over(model, body, &course);
+    let acting = ActingLoads::loads_along_course(model, body, &course);
     let mut source = LinkagePositions::new(&body.linkage);
     let spec = body.linkage.spec();
     let massless = match args.compare_massless.as_slice() {
@@ -236,14 +236,14 @@ fn expectations<'r>(
         && args.direction.is_none();
     let all = &ready.scene().expect;
     let whole = loads_left_out(found, ready.system.model(), object).is_none();
-    Expectations::judged("forces", all, same_course && same_forces && whole, |all| {
+    Expectations::judge_scene("forces", all, same_course && same_forces && whole, |all| {
         check_forces(all, object, found)
     })
 }
 
 /// Faults with their place in the scene where they have one.
 fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
-    let faults = within(object, faults);
+    let faults = with_prefix(object, faults);
     ready.reading.places.diagnose(&faults).into()
 }
 

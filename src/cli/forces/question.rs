@@ -111,7 +111,7 @@ fn position(name: &str, names: &[&str], what: &str) -> Result<usize, String> {
 }
 
 /// The course asked for, and in words how the input moves.
-pub(super) fn course(
+pub(super) fn read_course(
     args: &ForcesArgs,
     ready: &Ready,
     body: &LinkageBody,
@@ -147,7 +147,7 @@ fn question(
     input: Coordinate,
 ) -> Result<Question, Failure> {
     let own = Measures(Some(input));
-    let (course, positions) = chosen(args)?;
+    let (course, positions) = course_and_intervals(args)?;
     let asked = kinematics::question(&course, positions, ready, own)?;
     // A speed, or a comparison over speeds, is meant for the whole travel.
     let whole = asked.speed.or(asked.acceleration).is_some() || !args.compare_massless.is_empty();
@@ -160,11 +160,11 @@ fn question(
 const MOST_POSITIONS: f64 = 100_000.0;
 
 /// The course and its number of intervals: those of `--at`, or as they are given.
-fn chosen(args: &ForcesArgs) -> Result<(CourseArgs, u32), Failure> {
+fn course_and_intervals(args: &ForcesArgs) -> Result<(CourseArgs, u32), Failure> {
     let Some(text) = &args.at else {
         return Ok((args.course.clone(), args.positions));
     };
-    let (range, positions) = intervals(text).map_err(|what| {
+    let (range, positions) = parse_range_and_intervals(text).map_err(|what| {
         Failure::Other(format!(
             "--at {text}: {what}; give FROM:TO:STEP, as 0:330:30 deg, or one position, as 30 deg"
         ))
@@ -177,7 +177,7 @@ fn chosen(args: &ForcesArgs) -> Result<(CourseArgs, u32), Failure> {
 }
 
 /// `0:330:30 deg` as a range, `0:330 deg`, and its number of intervals.
-fn intervals(text: &str) -> Result<(String, u32), String> {
+fn parse_range_and_intervals(text: &str) -> Result<(String, u32), String> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [from, to, step] = match parts.as_slice() {
         [one] => return Ok((format!("{one}:{one}"), 1)),

@@ -3,7 +3,7 @@
 
 pub(super) mod multi_input;
 
-use super::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, warn};
+use super::answer::{Answer, AnswerForm, Content, PAGE, add_warning, ignores_until};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::asker::Asker;
 use super::expected::Expectations;
@@ -40,7 +40,11 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
             let mut question =
                 multi_input::question(&args.course, args.positions, &ready, &body.linkage)?;
             if let Some(at) = &args.svg {
-                question.also = Some(multi_input::place(&question, at, &body.linkage)?);
+                question.also = Some(multi_input::read_picture_place(
+                    &question,
+                    at,
+                    &body.linkage,
+                )?);
             }
             let asked = AskedSeveral::new(model, body, &question)?;
             (question, Study::Several(asked))
@@ -52,7 +56,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
             let mut question = question(&args.course, args.positions, &ready, own)?;
             question.over = over;
             if let Some(at) = &args.svg {
-                place(&mut question, at, &subject.linkage, subject.input)?;
+                read_picture_place(&mut question, at, &subject.linkage, subject.input)?;
             }
             let asked = KinematicsRequest::of(model, subject, &question)?;
             (question, Study::One(asked))
@@ -76,7 +80,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     shown.label(label.as_ref(), "positions, speeds and accelerations are");
     let mut written = document(name, hash, &found);
     shown.judge(&mut written, label.as_ref());
-    warn(&mut shown, &mut written, ignores_until(model));
+    add_warning(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "kinematics",
         findings: &shown,
@@ -123,7 +127,7 @@ fn expectations<'r>(
         && args.svg.is_none()
         && args.positions as usize == POSITIONS;
     let all = &ready.scene().expect;
-    Expectations::judged("kinematics", all, as_scene, |all| {
+    Expectations::judge_scene("kinematics", all, as_scene, |all| {
         check_kinematics(all, found)
     })
 }
@@ -197,7 +201,7 @@ fn of_one(args: &CourseArgs, own: Measures) -> Result<[Option<f64>; 2], Failure>
 
 /// The place of the picture: a time or an input coordinate. Where it is not
 /// said over what the linkage is looked at, the place's unit tells.
-fn place(
+fn read_picture_place(
     question: &mut Question,
     text: &str,
     linkage: &Linkage,

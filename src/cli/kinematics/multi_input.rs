@@ -31,7 +31,7 @@ pub(in crate::cli) fn question(
                 "--input {text}: `{name}` is given twice"
             )));
         }
-        let course = course(&mut inputs, name);
+        let course = course_of_input(&mut inputs, name);
         course.over = Some(match over {
             None => InputOver::Free,
             Some(value) if value.contains(':') => match range_of(value, own)? {
@@ -43,11 +43,11 @@ pub(in crate::cli) fn question(
     }
     for text in &args.speed {
         let (name, value) = of_input(linkage, "--speed", text, Measures::speed)?;
-        course(&mut inputs, &name).speed = Some(value);
+        course_of_input(&mut inputs, &name).speed = Some(value);
     }
     for text in &args.acceleration {
         let (name, value) = of_input(linkage, "--acceleration", text, Measures::acceleration)?;
-        course(&mut inputs, &name).acceleration = Some(value);
+        course_of_input(&mut inputs, &name).acceleration = Some(value);
     }
     if let Some(range) = &args.range {
         let message = format!(
@@ -58,7 +58,7 @@ pub(in crate::cli) fn question(
     }
     if args.turn && inputs.iter().all(|input| input.over.is_none()) {
         let first = linkage.inputs()[0].name.clone();
-        course(&mut inputs, &first).over = Some(InputOver::Free);
+        course_of_input(&mut inputs, &first).over = Some(InputOver::Free);
     }
     Ok(Question {
         object: args.object.clone(),
@@ -71,7 +71,7 @@ pub(in crate::cli) fn question(
 }
 
 /// What is said of an input, or nothing yet.
-fn course<'c>(inputs: &'c mut Vec<InputCourse>, name: &str) -> &'c mut InputCourse {
+fn course_of_input<'c>(inputs: &'c mut Vec<InputCourse>, name: &str) -> &'c mut InputCourse {
     let at = inputs.iter().position(|input| input.name == name);
     let at = at.unwrap_or_else(|| {
         inputs.push(InputCourse {
@@ -115,7 +115,7 @@ fn measures(linkage: &MultiLinkage, option: &str, name: &str) -> Result<Measures
 
 /// The place of the picture: a time, the coordinate of the one input that moves, or of several
 /// the share of their way.
-pub(super) fn place(
+pub(super) fn read_picture_place(
     question: &Question,
     text: &str,
     linkage: &MultiLinkage,

@@ -156,7 +156,7 @@ pub(crate) struct CompareArgs {
     /// What the laws are ranked by
     #[arg(long, value_enum, default_value_t = RankBy::ContactForce)]
     pub(crate) by: RankBy,
-    /// Also find the speed of the drive at which the pair begins to open (some 20 runs a law)
+    /// Also find the speed of the drive at which the pair begins to open (some 70 short runs a law)
     #[arg(long)]
     pub(crate) lift_off: bool,
     /// Print a table as CSV

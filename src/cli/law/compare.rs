@@ -23,6 +23,7 @@ pub(super) fn command(args: &CompareArgs, asker: &dyn Asker) -> Result<Status, F
     let (mut keeping, mut runs) = (None, 0);
     let compared = compare_laws(
         &question,
+        asker.budget(),
         |settings| input.prepare(settings),
         |ready, settings, searching| {
             asker.report_progress(

@@ -82,12 +82,12 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
     }
     if args.json {
         let strokes = strokes.iter().map(|(row, vdi)| {
-            let mut entry = entry(row);
+            let mut entry = law_entry(row);
             entry["vdi_2143"] = json!(vdi);
             entry
         });
         let strokes: Vec<Value> = strokes.collect();
-        let run_ups: Vec<Value> = run_ups.iter().map(entry).collect();
+        let run_ups: Vec<Value> = run_ups.iter().map(law_entry).collect();
         return console::json(&json!({ "dam": 1, "strokes": strokes, "run_ups": run_ups }));
     }
     if args.csv {
@@ -97,7 +97,7 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
     console::findings(&list_findings(&strokes, &run_ups))
 }
 
-fn entry(row: &LawRow) -> Value {
+fn law_entry(row: &LawRow) -> Value {
     json!({ "name": row.name, "what": row.words, "constants": row.constants })
 }
 
@@ -106,7 +106,7 @@ fn row(name: &str, words: &str, law: &AnyLaw) -> Result<LawRow, Failure> {
         name: name.to_owned(),
         words: words.to_owned(),
         constants: law
-            .law()
+            .read_law()
             .map_err(|faults| argument_failure(&faults, ""))?
             .constants(),
     })
@@ -117,7 +117,9 @@ fn show(args: &ShowArgs, asker: &dyn Asker) -> Result<(), Failure> {
         true => AnyLaw::RunUp(run_up_law(&args.law)?),
         false => any_law(&args.law)?,
     };
-    let law: Law = spec.law().map_err(|faults| argument_failure(&faults, ""))?;
+    let law: Law = spec
+        .read_law()
+        .map_err(|faults| argument_failure(&faults, ""))?;
     let row = LawRow::of(&spec, &law);
     let document = row.document(&law);
     let rows = law_rows(&law, args.form.samples as usize);

@@ -87,7 +87,7 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
     };
     let (complete, doubted) = match &axis {
         None => {
-            let mut found = single((args, asker), &ready, &plan)?;
+            let mut found = study_once((args, asker), &ready, &plan)?;
             if let Some(models) = models {
                 found = found.with_models(models);
             }
@@ -97,7 +97,7 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
             (found.complete, found.doubt.is_some())
         }
         Some(axis) => {
-            let found = over((args, asker), &input, &ready, axis, &plan)?;
+            let found = study_over_axis((args, asker), &input, &ready, axis, &plan)?;
             let document = Document::made(|| &found);
             let files = files_of_sweep(&found);
             let findings = sweep_findings(scene, &found, &diagram, source);
@@ -238,7 +238,7 @@ fn method(name: &str) -> Result<Method, Failure> {
 }
 
 /// Runs one study, with a progress bar.
-fn single(
+fn study_once(
     (args, asker): (&MethodsArgs, &dyn Asker),
     ready: &Ready,
     plan: &Plan,
@@ -261,7 +261,7 @@ fn single(
 }
 
 /// A study at every value of an axis, with a progress bar.
-fn over(
+fn study_over_axis(
     (args, asker): (&MethodsArgs, &dyn Asker),
     input: &Input<'_>,
     first: &Ready,

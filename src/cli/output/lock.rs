@@ -21,7 +21,7 @@ pub(super) enum LockError {
 impl Lock {
     /// Takes a folder that exists. Where the file system knows no locks (some of
     /// those over a network), there is none.
-    pub(super) fn take(folder: &Path) -> Result<Self, LockError> {
+    pub(super) fn lock_folder(folder: &Path) -> Result<Self, LockError> {
         let file = open(folder).map_err(LockError::System)?;
         match file.try_lock() {
             Err(TryLockError::WouldBlock) => Err(LockError::Taken),

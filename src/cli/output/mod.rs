@@ -104,14 +104,14 @@ impl OutputFolder {
         let shown = folder.display();
         fs::create_dir_all(folder)
             .map_err(|error| format!("cannot make the output folder `{shown}`: {error}"))?;
-        let lock = Lock::take(folder).map_err(|refused| match refused {
+        let lock = Lock::lock_folder(folder).map_err(|refused| match refused {
             LockError::Taken => format!(
                 "another dam is at work for the folder `{shown}`; wait for it, or choose another \
                  folder"
             ),
             LockError::System(error) => format!("cannot open the output folder `{shown}`: {error}"),
         })?;
-        let _keeping = interrupt::guard();
+        let _keeping = interrupt::hold_interrupt();
         try_writing(folder).map_err(|error| format!("cannot write into `{shown}`: {error}"))?;
         let known = Provenance::of(folder);
         // The results that lie there go as a whole, whatever command wrote them.
@@ -147,7 +147,7 @@ impl OutputFolder {
         hash: &str,
         files: &[ResultFile],
     ) -> Result<(), Failure> {
-        let _keeping = interrupt::guard();
+        let _keeping = interrupt::hold_interrupt();
         self.replace_all(command, hash, files)
             .map_err(Failure::Output)
     }
@@ -163,7 +163,7 @@ impl OutputFolder {
             hash: hash.to_owned(),
             command: command.to_owned(),
             files: digests.collect(),
-            before: known.map(Provenance::all).unwrap_or_default(),
+            before: known.map(Provenance::all_written_files).unwrap_or_default(),
         };
         self.write_provenance(&provenance)?;
         if let Err(error) = self.write_parts(files) {
@@ -177,7 +177,7 @@ impl OutputFolder {
         }
         for (done, file) in files.iter().enumerate() {
             let target = self.path(&file.name);
-            fs::rename(self.part(&file.name), &target).map_err(|error| {
+            fs::rename(self.partial_file_path(&file.name), &target).map_err(|error| {
                 self.remove_parts(&files[done..]);
                 format!("cannot write `{}`: {error}", target.display())
             })?;
@@ -197,7 +197,7 @@ impl OutputFolder {
         let stays = |name: &str| files.iter().any(|file| file.name == name);
         let names: BTreeSet<&str> = known.iter().flat_map(|known| known.names()).collect();
         let old = |name: &&str| {
-            !stays(name) && known.is_some_and(|known| known.holds(&self.folder, name))
+            !stays(name) && known.is_some_and(|known| known.is_unchanged(&self.folder, name))
         };
         let journal = self.path(journal::NAME).exists();
         let journal = journal.then_some(journal::NAME);
@@ -217,7 +217,7 @@ impl OutputFolder {
     }
 
     /// Path of a file until it is whole.
-    fn part(&self, name: &str) -> PathBuf {
+    fn partial_file_path(&self, name: &str) -> PathBuf {
         self.folder.join(part_name(name, std::process::id()))
     }
 
@@ -231,7 +231,7 @@ impl OutputFolder {
     }
 
     fn write_part(&self, name: &str, content: &[u8]) -> Result<(), String> {
-        let beside = self.part(name);
+        let beside = self.partial_file_path(name);
         let written = fs::File::create(&beside)
             .and_then(|mut file| file.write_all(content).and_then(|()| file.sync_all()));
         written.map_err(|error| {
@@ -242,13 +242,13 @@ impl OutputFolder {
 
     fn remove_parts(&self, files: &[ResultFile]) {
         for file in files {
-            let _ = fs::remove_file(self.part(&file.name));
+            let _ = fs::remove_file(self.partial_file_path(&file.name));
         }
     }
 
     fn replace(&self, name: &str, content: &[u8]) -> Result<(), String> {
         self.write_part(name, content)?;
-        let (beside, target) = (self.part(name), self.path(name));
+        let (beside, target) = (self.partial_file_path(name), self.path(name));
         fs::rename(&beside, &target).map_err(|error| {
             let _ = fs::remove_file(&beside);
             format!("cannot write `{}`: {error}", target.display())
@@ -303,7 +303,7 @@ fn may_replace(folder: &Path, name: &str, known: Option<&Provenance>, scene: &st
     let Some(known) = known.filter(|provenance| provenance.scene == scene) else {
         return false;
     };
-    name == provenance::NAME || known.holds(folder, name)
+    name == provenance::NAME || known.is_unchanged(folder, name)
 }
 
 fn list(names: &[&str]) -> String {

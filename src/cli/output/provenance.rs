@@ -38,7 +38,7 @@ impl Provenance {
     }
 
     /// True when what lies in the folder under this name is as dam wrote it.
-    pub(super) fn holds(&self, folder: &Path, name: &str) -> bool {
+    pub(super) fn is_unchanged(&self, folder: &Path, name: &str) -> bool {
         let Ok(content) = fs::read(folder.join(name)) else {
             return false;
         };
@@ -48,7 +48,7 @@ impl Provenance {
     }
 
     /// Everything that dam is known to have written.
-    pub(super) fn all(self) -> BTreeMap<String, Vec<String>> {
+    pub(super) fn all_written_files(self) -> BTreeMap<String, Vec<String>> {
         let mut all = self.before;
         for (name, digest) in self.files {
             all.entry(name).or_default().push(digest);

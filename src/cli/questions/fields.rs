@@ -63,8 +63,8 @@ pub(super) struct Positionals {
 }
 
 /// What the command is for.
-pub(super) fn about(command: &str) -> String {
-    with(command, |found| {
+pub(super) fn command_purpose(command: &str) -> String {
+    with_command(command, |found| {
         found
             .get_about()
             .map(ToString::to_string)
@@ -74,7 +74,7 @@ pub(super) fn about(command: &str) -> String {
 
 /// The fields of a command.
 pub(super) fn of(command: &str) -> Vec<Field> {
-    with(command, |found| {
+    with_command(command, |found| {
         found
             .get_arguments()
             .filter(|arg| is_field(arg))
@@ -84,7 +84,7 @@ pub(super) fn of(command: &str) -> Vec<Field> {
 }
 
 pub(super) fn positionals_of(command: &str) -> Positionals {
-    with(command, |found| {
+    with_command(command, |found| {
         let has = |id: &str| found.get_arguments().any(|arg| arg.get_id() == id);
         Positionals {
             scene: has("scene"),
@@ -94,7 +94,7 @@ pub(super) fn positionals_of(command: &str) -> Positionals {
 }
 
 /// Looks at a command as it is declared; an empty one where there is none of the name.
-fn with<T>(command: &str, look: impl FnOnce(&Command) -> T) -> T {
+fn with_command<T>(command: &str, look: impl FnOnce(&Command) -> T) -> T {
     let mut all = Cli::command();
     all.build();
     let mut at = &all;

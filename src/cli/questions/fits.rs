@@ -36,7 +36,7 @@ pub(super) fn of(asked: &CommandScene<'_>) -> Vec<Fit> {
     let ready = Mechanism::of_within(reading, ModelAssessment::Never, &asked.budget);
     let tree: Value = serde_json::from_str(asked.text).unwrap_or_default();
     let one = |ready: &Mechanism, command| {
-        let (choices, why) = fit(command, ready, &tree);
+        let (choices, why) = choices_for_scene(command, ready, &tree);
         Fit {
             command,
             why,
@@ -51,7 +51,7 @@ pub(super) fn of(asked: &CommandScene<'_>) -> Vec<Fit> {
 
 type Choices = Option<(&'static str, Vec<String>)>;
 
-fn fit(command: &str, ready: &Mechanism, tree: &Value) -> (Choices, Option<String>) {
+fn choices_for_scene(command: &str, ready: &Mechanism, tree: &Value) -> (Choices, Option<String>) {
     let model = ready.model();
     let named = |option, names: Vec<String>, why: &str| {
         let none = names.is_empty().then(|| why.to_owned());

@@ -64,7 +64,7 @@ impl Commands for Program {
             json!({
                 "command": tab.command,
                 "tab": tab.name,
-                "about": fields::about(tab.command),
+                "about": fields::command_purpose(tab.command),
                 "fields": fields::of(tab.command),
                 "why": fit.and_then(|fit| fit.why.as_ref()),
                 "choices": fit.map(|fit| &fit.choices),

@@ -30,7 +30,11 @@ fn with<T>(text: &str, ask: impl FnOnce(&CommandScene<'_>) -> T) -> T {
 #[test]
 fn forms_are_the_options_of_the_commands_and_none_names_a_file() {
     for tab in TABS {
-        assert!(!fields::about(tab.command).is_empty(), "{}", tab.command);
+        assert!(
+            !fields::command_purpose(tab.command).is_empty(),
+            "{}",
+            tab.command
+        );
         let all = fields::of(tab.command);
         assert!(!all.is_empty());
         for field in all {
@@ -219,7 +223,7 @@ fn what_is_wrong_is_told_in_words() {
 #[test]
 fn an_ended_question_is_not_answered() {
     let (stop, text) = (AtomicBool::new(true), text("valve_train/lift_off"));
-    let folder = Folder::beside(Path::new("scenarios/valve_train/lift_off.json"));
+    let folder = Folder::beside_scene(Path::new("scenarios/valve_train/lift_off.json"));
     let asked = CommandScene {
         name: "scene.json",
         text: &text,

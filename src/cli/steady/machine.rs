@@ -41,7 +41,7 @@ pub(super) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         ..Question::new(mean_speed)
     };
     match &args.machine.table {
-        Some(path) => table((args, asker), path, &spec, &question),
+        Some(path) => run_table((args, asker), path, &spec, &question),
         None => formulas((args, asker), &spec, &question),
     }
 }
@@ -76,7 +76,7 @@ struct TableAnswer<'a> {
     flywheel: Option<&'a Flywheel>,
 }
 
-fn table(
+fn run_table(
     (args, asker): (&SteadyArgs, &dyn Asker),
     path: &Path,
     spec: &SteadySpec,
@@ -89,7 +89,9 @@ fn table(
         .map_err(|error| format!("cannot read the table `{shown}`: {error}"))?;
     let table = csv::table(&text, spec.cycle).map_err(|refusal| refused(&refusal))?;
     let (flywheel, motion) = match spec.fluctuation {
-        None => table.steady(question).map(|motion| (None, motion)),
+        None => table
+            .find_steady_motion(question)
+            .map(|motion| (None, motion)),
         Some(wanted) => size_of_table(&table, question, wanted)
             .map(|(flywheel, motion)| (Some(flywheel), motion)),
     }
@@ -148,7 +150,7 @@ fn formulas(
         })
         .and_then(|profile| by_energy(&profile, question, spec.fluctuation))
         .map_err(|refusal| refused(&refusal))?
-        .judged();
+        .with_check_warnings();
     let folder = folder(args, &title)?;
     let rows = answer.motion.rows(ROWS);
     let document = machine_document(&title, &answer, &answer.checks());

@@ -3,10 +3,10 @@
 pub(crate) mod args;
 mod machine;
 
-use super::answer::{self, AnswerForm as Shape, Content, PAGE, ignores_until, warn};
+use super::answer::{self, AnswerForm as Shape, Content, PAGE, add_warning, ignores_until};
 use super::asker::Asker;
 use super::expected::Expectations;
-use super::failure::{Failure, refuse};
+use super::failure::{Failure, refuse_option};
 use super::input::Ready;
 use super::output::OutputFolder;
 use super::quantity::option;
@@ -103,7 +103,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     found.findings.leave_open(unjudged);
     found.findings.judge(&mut found.document, label.as_ref());
     let until = ignores_until(ready.system.model());
-    warn(&mut found.findings, &mut found.document, until);
+    add_warning(&mut found.findings, &mut found.document, until);
     let status = print_answer((args, asker), found, folder.as_ref())?;
     if !args.quiet {
         expected.print_verdicts();
@@ -147,7 +147,7 @@ fn apply_arguments(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Fai
 /// Refuses what changes nothing of this answer.
 fn refuse_unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(), Failure> {
     let refuse = |given: bool, option: &str, why: &str| {
-        refuse(given, &format!("{option} has no effect: {why}"))
+        refuse_option(given, &format!("{option} has no effect: {why}"))
     };
     let [mean, periods] = [args.mean.is_some(), args.periods.is_some()];
     let decided = "no mean speed is given, the scene decides it";
@@ -175,7 +175,7 @@ fn expectations<'r>(args: &SteadyArgs, ready: &'r Ready, answer: &Answer) -> Exp
             .iter()
             .all(|text| text.is_none());
     let all = &ready.scene().expect;
-    Expectations::judged("steady", all, same, |all| check(all, answer))
+    Expectations::judge_scene("steady", all, same, |all| check(all, answer))
 }
 
 /// The JSON document of a scene's steady motion.

@@ -61,7 +61,7 @@ impl Contact {
     }
 
     /// Half the gap of a form closure.
-    fn clear(&self) -> f64 {
+    fn half_gap(&self) -> f64 {
         match self.pair.closure {
             Closure::Form => 0.5 * self.pair.gap,
             Closure::Bilateral | Closure::Force => 0.0,
@@ -116,7 +116,7 @@ impl Contact {
             normal: 0.0,
             depth: 0.0,
             held_off: [0.0; 2],
-            size: x.abs() + self.clear(),
+            size: x.abs() + self.half_gap(),
             holds: restitution.is_some() && mode != 0,
             restitution,
             speed: rate,
@@ -132,7 +132,7 @@ impl Contact {
                 _ => &[-self.pair.opens],
             };
             for side in sides {
-                let depth = side * x - self.clear();
+                let depth = side * x - self.half_gap();
                 let normal = match restitution {
                     Some(_) => depth,
                     None => self.normal(depth, side * rate),
@@ -144,7 +144,7 @@ impl Contact {
             return pressed;
         }
         let side = mode as f64;
-        pressed.depth = side * x - self.clear();
+        pressed.depth = side * x - self.half_gap();
         pressed.normal = self.normal(pressed.depth, side * rate);
         pressed.force = side * pressed.normal;
         pressed

@@ -145,7 +145,7 @@ impl<'s> Judge<'s> {
         let longest: Vec<Vec<Balance>> = (looks.looks.iter())
             .map(|look| self.balance(look, &look.windows[0]))
             .collect();
-        self.see_turns(looks);
+        self.include_turns(looks);
         if resolved {
             self.include_resolution();
         }
@@ -195,7 +195,7 @@ impl<'s> Judge<'s> {
         }
     }
 
-    fn see_turns(&mut self, looks: &DrawnInstants) {
+    fn include_turns(&mut self, looks: &DrawnInstants) {
         for turn in &looks.turns {
             for (y, modes) in [
                 (&turn.before, &turn.modes[0]),
@@ -240,7 +240,7 @@ impl<'s> Judge<'s> {
             self.take_state(time, y, &look.modes.0);
             for (balance, at) in found.iter_mut().zip(&self.mechanics.nodes) {
                 match k {
-                    0 => balance.begin(at),
+                    0 => balance.start_judging(at),
                     k if k == last => balance.end(at),
                     k => balance.add(at, WEIGHTS[k - 1]),
                 }
@@ -263,7 +263,7 @@ impl<'s> Judge<'s> {
     }
 
     /// What may be left open of a balance over a length, as a share of its terms.
-    fn allowed(&self, node: usize, length: f64) -> f64 {
+    fn allowed_imbalance(&self, node: usize, length: f64) -> f64 {
         let scales = &self.scales;
         // (A closed form is known to rounding, whatever the tolerance.)
         let of_state = if self.asked.closed { 0.0 } else { OF_STATE };
@@ -295,7 +295,7 @@ impl<'s> Judge<'s> {
                 let Some(defect) = self.defect(node, balance, moments[node], look) else {
                     continue;
                 };
-                let bound = self.allowed(node, length);
+                let bound = self.allowed_imbalance(node, length);
                 keep_smaller_defect(best, (defect, bound));
                 open |= best.is_some_and(|(d, b)| !(d <= b));
             }
@@ -342,7 +342,7 @@ impl<'s> Judge<'s> {
             };
             let here = force(y);
             for entry in entries {
-                let off = OF_STATE * self.asked.tolerance * self.system.size(entry, y[entry]);
+                let off = OF_STATE * self.asked.tolerance * self.system.error_size(entry, y[entry]);
                 for sign in [1.0, -1.0] {
                     let mut moved = y.clone();
                     moved[entry] += sign * off;
@@ -592,7 +592,7 @@ impl Window {
 }
 
 impl Balance {
-    fn begin(&mut self, at: &At) {
+    fn start_judging(&mut self, at: &At) {
         (self.gain, self.momentum) = (-at.momentum, at.momentum.abs());
         self.speeds[0] = at.motion[1];
     }

@@ -13,7 +13,7 @@ use super::contact::{Contact, ContactState};
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion};
 use crate::dynamics::stated::{
-    LoadStatement, StatedDrive, StatedLoad, StatedPosition, differentiate, nearest,
+    LoadStatement, StatedDrive, StatedLoad, StatedPosition, differentiate, nearest_by_turns,
 };
 use crate::dynamics::system::System;
 use crate::kinematics::constraint::ConstraintJet;
@@ -111,7 +111,7 @@ impl<'s> Mechanics<'s> {
                 }
                 NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                     let stated = model.stated.positions.get(&index).cloned();
-                    let own = || Arc::new(StatedPosition::own(&law.position));
+                    let own = || Arc::new(StatedPosition::of_unstated_position(&law.position));
                     self.positions[index] = Some(stated.unwrap_or_else(own));
                 }
                 NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. } => {}
@@ -194,11 +194,11 @@ impl<'s> Mechanics<'s> {
                     let stated = self.positions[index].as_ref();
                     let found = stated.and_then(|stated| stated.at(driver[0]));
                     if let (Some(stated), Some((mut found, unsure))) = (stated, found) {
-                        if let Some(turn) = stated.turn() {
+                        if let Some(turn) = stated.whole_turn() {
                             // (How often it has turned round, its formula does not tell.)
-                            let segment = law.position.breaks().locate(driver[0], driver[1]);
+                            let segment = law.position.breaks().segment_at(driver[0], driver[1]);
                             let known = law.position.jet(segment, driver[0]).value;
-                            found.value = nearest(found.value, turn, known);
+                            found.value = nearest_by_turns(found.value, turn, known);
                         }
                         (at.slope, at.bend) = (law.lever * found.first, law.lever * found.second);
                         let unsure = match **stated {
@@ -263,7 +263,10 @@ impl<'s> Mechanics<'s> {
             let own = motion(load.node);
             let force = match (&self.loads[index], &load.law) {
                 (Some(statement), law) => {
-                    let variables = law.written().into_iter().flat_map(|own| &own.variables);
+                    let variables = law
+                        .expression_load()
+                        .into_iter()
+                        .flat_map(|own| &own.variables);
                     let mut others = variables.skip(5);
                     let over = others.find_map(|variable| match variable {
                         LoadVariable::Displacement(node) => Some(motion(*node)),
@@ -331,12 +334,14 @@ impl<'s> Mechanics<'s> {
             let mut workspace = body.linkage.workspace();
             let mut reduced = |q: f64| {
                 let solved = body.linkage.solve(q, 1, &mut workspace);
-                solved.ok().map(|()| body.linkage.reduced(&workspace))
+                solved
+                    .ok()
+                    .map(|()| body.linkage.reduced_linkage(&workspace))
             };
             let Some(here) = reduced(q) else {
                 continue;
             };
-            let reach = 0.01 * body.linkage.size().min(1.0);
+            let reach = 0.01 * body.linkage.typical_length().min(1.0);
             let cell = std::cell::RefCell::new(reduced);
             let of = |q: f64| (cell.borrow_mut())(q);
             let value = |q| of(q).map_or(f64::NAN, |found| found.inertia[0]);

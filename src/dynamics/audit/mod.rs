@@ -75,15 +75,15 @@ pub(crate) fn check(
     }
     // What a method resolves is found by a thousand samples of the laws. A closed form knows
     // the motion to rounding, and hardly ever needs it.
-    let found = judged(system, looks, asked, peaks, !asked.closed);
+    let found = audit_equations(system, looks, asked, peaks, !asked.closed);
     match asked.closed && !found.is_kept() {
-        true => judged(system, looks, asked, peaks, true),
+        true => audit_equations(system, looks, asked, peaks, true),
         false => found,
     }
 }
 
 /// The check, with or without what the methods resolve in its scales.
-fn judged(
+fn audit_equations(
     system: &System,
     looks: &DrawnInstants,
     asked: AuditScope,

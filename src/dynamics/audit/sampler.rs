@@ -183,7 +183,7 @@ impl InstantSampler {
     }
 
     /// One that draws nothing.
-    pub(crate) fn idle() -> Self {
+    pub(crate) fn drawing_nothing() -> Self {
         Self {
             instants: 0,
             due: f64::INFINITY,
@@ -192,7 +192,7 @@ impl InstantSampler {
     }
 
     /// A number in [0, 1).
-    fn next(&mut self) -> f64 {
+    fn random_share(&mut self) -> f64 {
         self.random = self.random.wrapping_add(1);
         (draw(self.random) >> 11) as f64 / (1u64 << 53) as f64
     }
@@ -203,7 +203,7 @@ impl InstantSampler {
             self.due = f64::INFINITY;
             return;
         }
-        let place = (self.number as f64 + self.next()) / self.instants as f64;
+        let place = (self.number as f64 + self.random_share()) / self.instants as f64;
         self.number += 1;
         self.due = place * self.duration;
     }
@@ -279,13 +279,13 @@ impl InstantSampler {
         let kept = self.drawn.len();
         let place = match kept < STRETCHES {
             true => kept,
-            false => (self.next() * self.stretches as f64) as usize,
+            false => (self.random_share() * self.stretches as f64) as usize,
         };
         if place >= STRETCHES {
             return;
         }
         let length = self.longest_in(span, closed);
-        let begin = span[0] + self.next() * (span[1] - span[0] - length);
+        let begin = span[0] + self.random_share() * (span[1] - span[0] - length);
         let window = |share: &f64| {
             let short = share * length;
             self.window([begin + 0.5 * (length - short), short], state)
@@ -322,7 +322,7 @@ impl InstantSampler {
         let (place, kept) = (self.place, self.found.turns.len());
         self.place = match kept + 1 < SWITCHES {
             true => kept + 1,
-            false => (self.next() * (self.found.switches + 1) as f64) as usize,
+            false => (self.random_share() * (self.found.switches + 1) as f64) as usize,
         };
         if place >= SWITCHES {
             return;

@@ -28,7 +28,7 @@ fn exit_time(way: &Trajectory<'_>, (from, to): (f64, f64), duration: f64) -> Opt
     let speed = (0..=1000)
         .map(|i| way.fastest_drive(duration * f64::from(i) / 1000.0))
         .fold(0.0, f64::max);
-    let most = (MOST_INSTANTS / (way.steps() + 1) as f64).max(1000.0);
+    let most = (MOST_INSTANTS / (way.count_of_laws() + 1) as f64).max(1000.0);
     let count = (speed * duration).to_degrees().clamp(1000.0, most) as u32;
     let time = |index: u32| duration * f64::from(index) / f64::from(count);
     // Beyond a dead-centre position upstream the displacement is not a number, nor
@@ -50,7 +50,7 @@ impl ModelBuilder {
     }
 
     /// Displacement at t = 0 of a node that follows a law.
-    pub(super) fn following(&self, law: &Law) -> f64 {
+    pub(super) fn displacement_at_start(&self, law: &Law) -> f64 {
         transfer(&self.model, law, self.start_of(law.driver), 1.0).value
     }
 
@@ -65,7 +65,7 @@ impl ModelBuilder {
         let (input, coordinate) = self.owner(driver);
         let message = format!(
             "it cannot be assembled at the start, with `{input}` at {}",
-            place(self.start_of(driver), coordinate)
+            displacement_text(self.start_of(driver), coordinate)
         );
         let within: Vec<_> = outside
             .intervals
@@ -84,7 +84,13 @@ impl ModelBuilder {
 
     /// Ends the run where the driver leaves `reach`, and warns of it; `ends` says
     /// what is there.
-    pub(super) fn limit(&mut self, at: &Place, driver: NodeIndex, reach: (f64, f64), ends: &str) {
+    pub(super) fn limit_driver(
+        &mut self,
+        at: &Place,
+        driver: NodeIndex,
+        reach: (f64, f64),
+        ends: &str,
+    ) {
         let way = Trajectory::of(&self.model, driver);
         let left = way.and_then(|way| exit_time(&way, reach, self.duration));
         if let Some(time) = left {
@@ -114,13 +120,16 @@ impl ModelBuilder {
 /// Digits of a place: edges are told closely.
 const DIGITS: usize = 9;
 
-pub(super) fn place(displacement: f64, coordinate: Coordinate) -> String {
-    let (value, unit) = coordinate.shown(displacement);
+pub(super) fn displacement_text(displacement: f64, coordinate: Coordinate) -> String {
+    let (value, unit) = coordinate.displacement_for_reading(displacement);
     format!("{} {unit}", shown(value, DIGITS))
 }
 
 pub(super) fn range((from, to): (f64, f64), coordinate: Coordinate) -> String {
-    let (from, to) = (coordinate.shown(from), coordinate.shown(to));
+    let (from, to) = (
+        coordinate.displacement_for_reading(from),
+        coordinate.displacement_for_reading(to),
+    );
     let (from, to, unit) = (shown(from.0, DIGITS), shown(to.0, DIGITS), to.1);
     format!("between {from} and {to} {unit}")
 }

@@ -231,7 +231,7 @@ impl ModelBuilder {
                 pair,
                 body,
             };
-            return object.lower();
+            return object.lower_to_nodes();
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
             (_, Some(contact)) => self.touching(at, law, &spec.body, parameters, (pair, *contact)),

@@ -104,7 +104,7 @@ impl ModelBuilder {
     }
 
     /// Tells how hard a part presses on what it touches, where the geometry is known.
-    pub(super) fn presses(&mut self, part: usize, contact: &ContactSpec) {
+    pub(super) fn add_contact_pressure(&mut self, part: usize, contact: &ContactSpec) {
         if let Some(part) = self.model.objects.get_mut(part) {
             let pressing = contact.pressure.map(ContactPartner::Fixed);
             part.pressing = pressing.map(Arc::new);
@@ -121,7 +121,7 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         (pair, contact): (Pair, ContactSpec),
     ) -> Vec<NodeIndex> {
-        self.presses(at.object, &contact);
+        self.add_contact_pressure(at.object, &contact);
         let stiffness = contact.stiffness;
         let plain = |compliance| Pair {
             form: contact.law.of_link(compliance).0,

@@ -8,7 +8,7 @@ use crate::kinematics::motion::DriveMotion;
 
 impl ModelBuilder {
     /// Lowers a drive to its node.
-    pub fn drive(&mut self, at: &Place, spec: &DriveSpec) {
+    pub fn add_drive(&mut self, at: &Place, spec: &DriveSpec) {
         match spec {
             DriveSpec::Prescribed(motion) => self.prescribe(at, motion),
             DriveSpec::Motor(motor) => self.motor(at, motor),
@@ -18,7 +18,7 @@ impl ModelBuilder {
     fn prescribe(&mut self, at: &Place, spec: &DriveMotionSpec) {
         match DriveMotion::new(spec) {
             Ok(motion) => {
-                let node = self.prescribed(at, motion);
+                let node = self.add_prescribed_node(at, motion);
                 self.model
                     .stated
                     .drives

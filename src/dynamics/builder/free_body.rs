@@ -80,7 +80,7 @@ impl Residual {
     }
 
     /// With some of the modes kept.
-    fn without(mut self, modes: &[FreeMode]) -> Self {
+    fn with_kept_modes(mut self, modes: &[FreeMode]) -> Self {
         // The smallest terms first.
         let sum = |of: fn(&FreeMode) -> f64| modes.iter().rev().map(of).sum::<f64>();
         self.driven -= sum(|mode| mode.driven * mode.driven / mode.square);
@@ -128,9 +128,9 @@ impl Continuum {
     }
 
     /// The free object with its lowest `count` vibrations.
-    pub(super) fn free(self, count: usize) -> FreeBody {
+    pub(super) fn with_free_modes(self, count: usize) -> FreeBody {
         let mut modes: Vec<FreeMode> = (1..=count).map(|k| self.free_mode(k)).collect();
-        let (oscillator, rest) = Residual::of(self).without(&modes).oscillator();
+        let (oscillator, rest) = Residual::of(self).with_kept_modes(&modes).oscillator();
         modes.push(oscillator);
         chain(&modes, rest)
     }

@@ -35,7 +35,7 @@ fn of_chain(body: &FreeBody, z: f64) -> [f64; 2] {
 fn the_chain_has_the_whole_inertia_and_its_masses_make_up_the_output() {
     for continuum in BOTH {
         for count in [0, 1, 2, 5, 16, 100] {
-            let body = continuum.free(count);
+            let body = continuum.with_free_modes(count);
             assert_eq!(body.inertias.len(), count + 2);
             let positive = body.inertias.iter().chain(&body.stiffnesses);
             assert!(positive.clone().all(|one| *one > 0.0), "{body:?}");
@@ -56,7 +56,8 @@ fn slow_forces_at_the_contact_move_both_ends_as_those_of_the_continuum() {
     {
         for count in [0, 1, 3, 20] {
             let z = 1e-3;
-            let found = of_chain(&continuum.free(count), z).map(|end| end + 1.0 / (z * z));
+            let found =
+                of_chain(&continuum.with_free_modes(count), z).map(|end| end + 1.0 / (z * z));
             let exact = of_continuum(continuum, z).map(|end| end + 1.0 / (z * z));
             for ((found, exact), known) in found.into_iter().zip(exact).zip(known) {
                 assert_abs_diff_eq!(found, known, epsilon = 1e-5);
@@ -72,7 +73,7 @@ fn slow_forces_at_the_output_move_it_as_that_of_the_continuum() {
     // the force in each link bends by what lies before it.
     for (continuum, known) in BOTH.into_iter().zip([1.0 / 3.0, 1.0 / 7.0]) {
         for count in [0, 1, 3, 20] {
-            let body = continuum.free(count);
+            let body = continuum.with_free_modes(count);
             let (mut force, mut place, mut bent) = (0.0, 0.0, Vec::new());
             for (mass, stiffness) in body.stiffnesses.iter().enumerate() {
                 // (Nothing is in the link to the contact.)
@@ -93,7 +94,7 @@ fn vibrations_are_those_of_the_free_object() {
         for z in [0.7, 1.9, 4.0] {
             let exact = of_continuum(continuum, z);
             let error = |count: usize| {
-                let found = of_chain(&continuum.free(count), z);
+                let found = of_chain(&continuum.with_free_modes(count), z);
                 let off = found.iter().zip(&exact).map(|(f, e)| (f - e).abs());
                 off.fold(0.0, f64::max)
             };
@@ -113,7 +114,7 @@ fn vibrations_are_those_of_the_free_object() {
         }
     }
     // A rod without vibrations but that of its residual shape, ω² = 15: by hand.
-    let body = Continuum::Rod.free(0);
+    let body = Continuum::Rod.with_free_modes(0);
     assert_relative_eq!(body.stiffnesses[0], 4.0, max_relative = 1e-12);
     assert_relative_eq!(body.inertias[0], 4.0 / 9.0, max_relative = 1e-12);
     let square = body.stiffnesses[1] / (body.inertias[0] * body.inertias[1]);

@@ -28,8 +28,8 @@ impl ModalLowering<'_> {
             pair,
             body,
         } = self;
-        let free = continuum.free(body.modes);
-        let delay = body.delay();
+        let free = continuum.with_free_modes(body.modes);
+        let delay = body.damping_time();
         let stiffnesses = free.stiffnesses.iter().map(|share| share * body.stiffness);
         let stiffnesses: Vec<f64> = stiffnesses.collect();
         let parameters = ChainParameters {
@@ -66,7 +66,7 @@ fn output_of_masses(into: &mut ModelBuilder, at: &Place, shares: &Shares) -> Opt
         inputs: Vec::new(),
     };
     let output = modal_output::sum(into, &place, shares, Pair::default())?;
-    into.model.objects[part].inputs = PartInput::only(Some(at.object));
+    into.model.objects[part].inputs = PartInput::behind_one_driver(Some(at.object));
     into.outputs.insert(at.id.clone(), output);
     Some(output)
 }

@@ -1,6 +1,6 @@
 //! Linkages: an input node that carries the whole, and a node for each output.
 
-use super::assembly_range::{DEAD, place, range};
+use super::assembly_range::{DEAD, displacement_text, range};
 use super::spec::DrivenLinkage;
 use super::{InputConnection, ModelBuilder, Place};
 use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair, TrackSource};
@@ -144,8 +144,8 @@ impl ModelBuilder {
             let message = format!(
                 "it cannot be assembled at the start, with `{driver}` at {}: its input coordinate \
                  would be {}",
-                place(phi, input.coordinate),
-                place(start, own)
+                displacement_text(phi, input.coordinate),
+                displacement_text(start, own)
             );
             let hint = format!(
                 "that must lie {}; start `{driver}` elsewhere, or give another `assembly`",
@@ -157,7 +157,7 @@ impl ModelBuilder {
         let jet = position.jet(0, 0.0);
         let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
         let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.limit(at, input.node, of_driver, &ends_in_words(linkage));
+        self.limit_driver(at, input.node, of_driver, &ends_in_words(linkage));
     }
 }
 

@@ -25,7 +25,7 @@ impl ModelBuilder {
         nodes: &[NodeIndex],
         driver: NodeIndex,
     ) {
-        let Some(chosen) = chosen(spec.mass, nodes) else {
+        let Some(chosen) = nodes_of_choice(spec.mass, nodes) else {
             if let MassChoice::Number(number) = spec.mass {
                 let message = format!(
                     "there is no mass {number}, the masses are 1 to {}",
@@ -153,7 +153,9 @@ impl ModelBuilder {
                 let pieces = pieces::window([*from, *to], *force, *period);
                 (over_position, pieces, "window")
             }
-            LoadLawSpec::Written(written) => return self.written(path, written, node, driver),
+            LoadLawSpec::Written(written) => {
+                return self.expression_law(path, written, node, driver);
+            }
             _ => return self.smooth_law(path, spec, object, node),
         };
         match pieces {
@@ -226,7 +228,7 @@ impl ModelBuilder {
 }
 
 /// The nodes a load acts on; `None` when there is no such mass.
-fn chosen(mass: MassChoice, nodes: &[NodeIndex]) -> Option<&[NodeIndex]> {
+fn nodes_of_choice(mass: MassChoice, nodes: &[NodeIndex]) -> Option<&[NodeIndex]> {
     let (first, last) = (nodes.first()?, nodes.last()?);
     match mass {
         MassChoice::First => Some(std::slice::from_ref(first)),

@@ -6,7 +6,7 @@
 //! its law to find positions that cannot be assembled, and collects faults with the
 //! address of the property that each lies in.
 //!
-//! Two levels: [`ModelBuilder::drive`], [`ModelBuilder::chain`] and
+//! Two levels: [`ModelBuilder::add_drive`], [`ModelBuilder::chain`] and
 //! [`ModelBuilder::linkage`] lower what most kinds are made of, in plain numbers
 //! ([`spec`]); [`ModelBuilder::law`], [`ModelBuilder::rigid`],
 //! [`ModelBuilder::masses`], [`ModelBuilder::output`] and [`ModelBuilder::force`]

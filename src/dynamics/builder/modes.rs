@@ -37,7 +37,7 @@ pub(super) struct Modal<'s> {
 
 impl Modal<'_> {
     /// The damping time τ = b/c.
-    pub(super) fn delay(&self) -> f64 {
+    pub(super) fn damping_time(&self) -> f64 {
         self.damping_capacity / (TAU * (self.stiffness / self.inertia).sqrt())
     }
 
@@ -79,7 +79,7 @@ impl Rest {
     }
 
     /// An object with these modes and this rest.
-    fn reduced(&self, object: usize, modes: Shares) -> ModalReduction {
+    fn reduction_to_modes(&self, object: usize, modes: Shares) -> ModalReduction {
         ModalReduction {
             object,
             modes,
@@ -113,7 +113,7 @@ pub(super) struct ModalLowering<'b> {
 
 impl ModalLowering<'_> {
     /// Lowers it behind its law.
-    pub(super) fn lower(mut self) {
+    pub(super) fn lower_to_nodes(mut self) {
         let Some(continuum) = self.check() else {
             return;
         };
@@ -187,7 +187,9 @@ impl ModalLowering<'_> {
             let ends = [output, law.driver];
             rest.add_load(load, modal_output::load(into, at, load, &shares, ends));
         }
-        into.model.reduced.push(rest.reduced(at.object, modes));
+        into.model
+            .reduced
+            .push(rest.reduction_to_modes(at.object, modes));
     }
 
     /// An object without vibrations: a rigid one whose output gives way.
@@ -211,7 +213,9 @@ impl ModalLowering<'_> {
             };
             rest.add_load(load, constant);
         }
-        into.model.reduced.push(rest.reduced(at.object, Vec::new()));
+        into.model
+            .reduced
+            .push(rest.reduction_to_modes(at.object, Vec::new()));
     }
 
     /// Its continuum; `None`: it has faults.
@@ -274,7 +278,7 @@ fn parameters(body: Modal<'_>, mode: &Oscillator) -> ChainParameters {
     ChainParameters {
         inertias: vec![mode.inertia * body.inertia],
         stiffnesses: vec![stiffness],
-        dampings: vec![body.delay() * stiffness],
+        dampings: vec![body.damping_time() * stiffness],
         driven_end: 0.0,
     }
 }

@@ -45,7 +45,7 @@ impl ModelBuilder {
         let mut outputs = Vec::new();
         let named = spec.linkage.linkage.outputs.iter().zip(&spec.loads);
         for (index, (output, loads)) in named.enumerate() {
-            let Some(part) = self.part(at, &output.name) else {
+            let Some(part) = self.part_of_output(at, &output.name) else {
                 continue;
             };
             let own = Constraint::Custom(Arc::new(MultiOutput::new(&linkage, index)));
@@ -116,7 +116,7 @@ impl ModelBuilder {
 
     /// An input that nothing drives: a coordinate without inertia of its own.
     fn free_input(&mut self, at: &Place, name: &str, start: f64, speed: f64) -> Option<NodeIndex> {
-        let part = self.part(at, name)?;
+        let part = self.part_of_output(at, name)?;
         let node = Node {
             inertia: 0.0,
             motion: NodeMotion::Rotor {
@@ -153,7 +153,7 @@ impl ModelBuilder {
     }
 
     /// Index of the part that an output of an object is.
-    fn part(&self, at: &Place, name: &str) -> Option<usize> {
+    fn part_of_output(&self, at: &Place, name: &str) -> Option<usize> {
         self.indices.get(&format!("{}.{name}", at.id)).copied()
     }
 

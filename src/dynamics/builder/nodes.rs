@@ -13,7 +13,7 @@ use crate::kinematics::position::Position;
 
 impl ModelBuilder {
     /// A node whose motion is given over time.
-    pub fn prescribed(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
+    pub fn add_prescribed_node(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
         let track = self.track(
             TrackSource::Time,
             (motion.breaks(), motion.repeats()),
@@ -57,7 +57,7 @@ impl ModelBuilder {
         let track = self.track(source, (breaks, repeats), at.object);
         match position.reach_from(self.start_of(driver.node)) {
             Ok(None) => {}
-            Ok(Some(reach)) => self.limit(at, driver.node, reach, DEAD),
+            Ok(Some(reach)) => self.limit_driver(at, driver.node, reach, DEAD),
             Err(outside) => {
                 self.refuse_start(at, property, driver.node, &outside);
                 return None;
@@ -131,7 +131,7 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         first: LinkBase,
     ) -> Vec<NodeIndex> {
-        let start = self.following(law);
+        let start = self.displacement_at_start(law);
         let mut nodes: Vec<NodeIndex> = Vec::with_capacity(parameters.inertias.len());
         for (index, &inertia) in parameters.inertias.iter().enumerate() {
             let motion = NodeMotion::Mass { law: law.clone() };
@@ -169,7 +169,7 @@ impl ModelBuilder {
 
     /// A node of an object that is none of its masses.
     pub(super) fn add_point(&mut self, at: &Place, law: &Law, node: Node) -> NodeIndex {
-        let start = self.following(law);
+        let start = self.displacement_at_start(law);
         self.model.nodes.push(node);
         self.known.push(NodeEntry {
             part: at.object,
@@ -187,7 +187,7 @@ impl ModelBuilder {
         pair: Pair,
     ) -> NodeIndex {
         self.model.objects[part].rigid_pair = Some(pair);
-        let start = self.following(&law);
+        let start = self.displacement_at_start(&law);
         let motion = NodeMotion::Rigid { law };
         self.add_node(part, Node { inertia, motion }, start)
     }

@@ -132,7 +132,7 @@ mod tests {
     use super::{Pieces, repeating_table, table, window};
 
     fn force(law: &Pieces, x: f64) -> f64 {
-        let (piece, turned) = law.breaks.piece(law.breaks.locate(x, 1.0));
+        let (piece, turned) = law.breaks.piece(law.breaks.segment_at(x, 1.0));
         let piece = law.pieces[piece];
         piece.value + piece.slope * (x - turned - piece.start)
     }

@@ -26,10 +26,10 @@ pub(super) fn is_smooth(model: &Model, law: &Law) -> bool {
 /// True when the second derivative is continuous where the formula changes.
 fn smooth(breaks: &Breaks, jet: impl Fn(i64, f64) -> Jet) -> bool {
     let continuous = |&x: &f64| {
-        let [before, after] = [-1.0, 1.0].map(|sense| jet(breaks.locate(x, sense), x));
+        let [before, after] = [-1.0, 1.0].map(|sense| jet(breaks.segment_at(x, sense), x));
         // What is small is small beside what the segments have within.
         let mut scale = [0.0f64; 2];
-        for segment in [-1.0, 1.0].map(|sense| breaks.locate(x, sense)) {
+        for segment in [-1.0, 1.0].map(|sense| breaks.segment_at(x, sense)) {
             let (from, to) = breaks.edges(segment);
             for share in [0.2, 0.4, 0.6, 0.8] {
                 let within = from + share * (to - from);

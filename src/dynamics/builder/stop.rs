@@ -22,9 +22,9 @@ impl ModelBuilder {
             };
             let part = self.add_part(at, &own.name, STOP);
             self.model.objects[part].nodes.push(node);
-            self.model.objects[part].inputs = PartInput::only(Some(at.object));
+            self.model.objects[part].inputs = PartInput::behind_one_driver(Some(at.object));
             self.model.objects[part].combination = None;
-            self.presses(part, &own.contact);
+            self.add_contact_pressure(part, &own.contact);
             self.model.loads.push(Load {
                 node,
                 name: at.path(&format!("stops.{}", own.name)),

@@ -70,7 +70,7 @@ enum ReferenceKind {
 
 impl ModelBuilder {
     /// The law of an expression on a node behind a driver.
-    pub(super) fn written(
+    pub(super) fn expression_law(
         &mut self,
         path: &str,
         spec: &WrittenSpec,
@@ -152,7 +152,7 @@ impl ModelBuilder {
     pub(super) fn wait_for(&mut self, path: &str, over: Option<&String>) {
         let last = self.model.loads.len().checked_sub(1);
         if let (Some(over), Some(load)) = (over, last)
-            && self.model.loads[load].law.written().is_some()
+            && self.model.loads[load].law.expression_load().is_some()
         {
             self.waiting.push(PendingReference {
                 what: ReferenceKind::Load(load),

@@ -220,7 +220,7 @@ const CHEAP: f64 = 1e6;
 
 impl Behaviour {
     /// The tolerance that keeps the one asked for over a whole run.
-    fn aim(&self, situation: &Situation) -> f64 {
+    fn tolerance_for_run(&self, situation: &Situation) -> f64 {
         let asked = situation.tolerance;
         let unseen = match situation.corners && self.method == Method::Radau {
             true => UNSEEN,
@@ -230,8 +230,8 @@ impl Behaviour {
     }
 
     /// Steps (s) that accuracy and stability allow.
-    fn steps(&self, situation: &Situation) -> [f64; 2] {
-        let aim = self.aim(situation);
+    fn allowed_steps(&self, situation: &Situation) -> [f64; 2] {
+        let aim = self.tolerance_for_run(situation);
         let kept = match self.method {
             Method::Radau => super::radau::effective_tolerance(aim),
             _ => aim,
@@ -247,10 +247,10 @@ impl Behaviour {
     }
 
     /// Work of the whole run in evaluations.
-    fn work(&self, situation: &Situation) -> f64 {
-        let [accurate, stable] = self.steps(situation);
+    fn evaluations_of_run(&self, situation: &Situation) -> f64 {
+        let [accurate, stable] = self.allowed_steps(situation);
         let columns = (situation.coordinates as f64).min(FULL);
-        let digits = (-self.aim(situation).log10()).clamp(1.0, MOST_DIGITS);
+        let digits = (-self.tolerance_for_run(situation).log10()).clamp(1.0, MOST_DIGITS);
         let cost = self.cost[0] + self.cost[1] * columns + self.digit * digits;
         let steps = situation.duration / accurate.min(stable).min(situation.duration);
         cost * (steps + self.restart * (1.0 + situation.breaks))
@@ -287,15 +287,19 @@ pub fn choose(situation: &Situation) -> MethodChoice {
         let fit = BEHAVIOURS
             .iter()
             .filter(|b| implicit(b) == wanted && (situation.expands || b.method != Method::Taylor));
-        fit.min_by(|a, b| a.work(situation).total_cmp(&b.work(situation)))
-            .expect("the list has methods of both kinds")
+        fit.min_by(|a, b| {
+            a.evaluations_of_run(situation)
+                .total_cmp(&b.evaluations_of_run(situation))
+        })
+        .expect("the list has methods of both kinds")
     };
     let (explicit, implicit) = (least(false), least(true));
     let dearer = match situation.joint_friction {
         true => NEAR_SINGULAR,
         false => 1.0,
     };
-    let [for_implicit, for_explicit] = [implicit, explicit].map(|own| own.work(situation));
+    let [for_implicit, for_explicit] =
+        [implicit, explicit].map(|own| own.evaluations_of_run(situation));
     let (chosen, why) = match dearer * for_implicit < for_explicit {
         true => (implicit, why_implicit(situation, explicit, implicit)),
         false => {
@@ -308,7 +312,7 @@ pub fn choose(situation: &Situation) -> MethodChoice {
             (explicit, why)
         }
     };
-    let tolerance = chosen.aim(situation);
+    let tolerance = chosen.tolerance_for_run(situation);
     let why = match tolerance < situation.tolerance {
         true => format!(
             "{why}; with a tolerance of {tolerance}, as errors add up over a run",
@@ -319,8 +323,8 @@ pub fn choose(situation: &Situation) -> MethodChoice {
     let others = RESERVE.iter().filter(|&&method| method != chosen.method);
     let others = others.filter(|&&method| situation.expands || method != Method::Taylor);
     let others = others.filter_map(|&method| BEHAVIOURS.iter().find(|own| own.method == method));
-    let dearest = (DEAREST * chosen.work(situation)).max(CHEAP);
-    let others = others.filter(|own| own.work(situation) <= dearest);
+    let dearest = (DEAREST * chosen.evaluations_of_run(situation)).max(CHEAP);
+    let others = others.filter(|own| own.evaluations_of_run(situation) <= dearest);
     MethodChoice {
         method: chosen.method,
         tolerance,
@@ -328,14 +332,14 @@ pub fn choose(situation: &Situation) -> MethodChoice {
         reserve: others
             .map(|own| Reserve {
                 method: own.method,
-                tolerance: own.aim(situation),
+                tolerance: own.tolerance_for_run(situation),
             })
             .collect(),
     }
 }
 
 fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviour) -> String {
-    let [accurate, stable] = explicit.steps(situation);
+    let [accurate, stable] = explicit.allowed_steps(situation);
     let (fastest, seen) = (situation.fastest, situation.highest_frequency());
     let held = if stable < accurate {
         format!(
@@ -354,12 +358,15 @@ fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviou
         explicit.method,
         shown(accurate.min(stable), 2),
         implicit.method,
-        shown(implicit.steps(situation)[0].min(situation.duration), 2)
+        shown(
+            implicit.allowed_steps(situation)[0].min(situation.duration),
+            2
+        )
     )
 }
 
 fn why_explicit(situation: &Situation, explicit: &Behaviour) -> String {
-    let [accurate, stable] = explicit.steps(situation);
+    let [accurate, stable] = explicit.allowed_steps(situation);
     let bound = if accurate <= stable {
         "the tolerance"
     } else {

@@ -186,7 +186,7 @@ impl<D: Dynamics> Run<'_, D> {
         let dynamics = self.evaluator.dynamics;
         let pairs = y.iter().zip(&trial.y).enumerate();
         pairs.into_iter().all(|(index, (found, foreseen))| {
-            (found - foreseen).abs() <= allowed * dynamics.size(index, *found)
+            (found - foreseen).abs() <= allowed * dynamics.error_size(index, *found)
         })
     }
 

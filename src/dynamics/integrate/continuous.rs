@@ -121,7 +121,7 @@ impl Output {
     }
 
     /// A step between two ends.
-    fn begin(&mut self, from: &End, to: &End, degree: usize) {
+    fn begin_step(&mut self, from: &End, to: &End, degree: usize) {
         self.start = from.time;
         self.length = to.time - from.time;
         self.degree = degree;
@@ -132,7 +132,7 @@ impl Output {
 
     /// The quintic between two ends.
     pub(super) fn quintic(&mut self, from: &End, to: &End) {
-        self.begin(from, to, 5);
+        self.begin_step(from, to, 5);
         self.fill_ends(from, to);
     }
 
@@ -146,7 +146,7 @@ impl Output {
         degree: usize,
         share: f64,
     ) {
-        self.begin(from, to, degree);
+        self.begin_step(from, to, degree);
         self.coefficients.resize(series.len(), 0.0);
         self.coefficients.copy_from_slice(series);
         // share^k over the binomial (degree over k).
@@ -175,7 +175,7 @@ impl Output {
     /// The motion itself: polynomials of a degree in Bernstein form, less the values
     /// at the start.
     pub(super) fn bernstein(&mut self, from: &End, to: &End, coefficients: &[f64], degree: usize) {
-        self.begin(from, to, degree);
+        self.begin_step(from, to, degree);
         let most = self.coefficients.len().max(coefficients.len());
         self.coefficients.resize(most, 0.0);
         self.coefficients[..coefficients.len()].copy_from_slice(coefficients);
@@ -195,7 +195,7 @@ impl Output {
         middle: &[f64],
         to: &End,
     ) {
-        self.begin(from, to, 5);
+        self.begin_step(from, to, 5);
         // Accelerations are not asked for: any derivative will do.
         self.inner
             .set(evaluator, self.start + 0.5 * self.length, middle, &to.dy);

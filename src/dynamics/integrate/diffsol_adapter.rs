@@ -33,7 +33,7 @@ type Lu = NalgebraLU<f64>;
 /// to a switch.
 pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     if let Err(error) = try_leg(run) {
-        fail(run, &error);
+        end_by_error(run, &error);
     }
 }
 
@@ -79,21 +79,21 @@ fn try_leg<D: Dynamics>(run: &mut Run<'_, D>) -> Result<(), DiffsolError> {
     match method {
         Method::Bdf => {
             let state = OdeSolverState::new_without_initialise(&problem)?;
-            drive(&mut problem.bdf_solver::<Lu>(state)?, run)
+            step_to_end_of_leg(&mut problem.bdf_solver::<Lu>(state)?, run)
         }
         Method::TrBdf2 => {
             let state = OdeSolverState::new_without_initialise(&problem)?;
-            drive(&mut problem.tr_bdf2_solver::<Lu>(state)?, run)
+            step_to_end_of_leg(&mut problem.tr_bdf2_solver::<Lu>(state)?, run)
         }
         _ => {
             let state = OdeSolverState::new_without_initialise(&problem)?;
-            drive(&mut problem.esdirk34_solver::<Lu>(state)?, run)
+            step_to_end_of_leg(&mut problem.esdirk34_solver::<Lu>(state)?, run)
         }
     }
 }
 
 /// Steps until something ends the leg.
-fn drive<'p, E, S, D>(solver: &mut S, run: &mut Run<'_, D>) -> Result<(), DiffsolError>
+fn step_to_end_of_leg<'p, E, S, D>(solver: &mut S, run: &mut Run<'_, D>) -> Result<(), DiffsolError>
 where
     E: OdeEquations<T = f64, V = Vector> + 'p,
     S: OdeSolverMethod<'p, E>,
@@ -130,7 +130,7 @@ where
         }
         let time = if landed { target } else { start + now };
         run.evaluator.derivatives(time, &y, &mut dy);
-        let verdict = run.accept(time, &y, &dy, Some(&middle));
+        let verdict = run.accept_step(time, &y, &dy, Some(&middle));
         if landed || verdict != Verdict::Continue {
             break Ok(());
         }
@@ -142,7 +142,7 @@ where
 }
 
 /// What a solver's error means for the run.
-fn fail<D: Dynamics>(run: &mut Run<'_, D>, error: &DiffsolError) {
+fn end_by_error<D: Dynamics>(run: &mut Run<'_, D>, error: &DiffsolError) {
     let method = run.settings.method;
     let floor = 4.0 * f64::EPSILON * run.from.time.abs().max(run.target.abs());
     match error {

@@ -198,7 +198,7 @@ pub trait Dynamics: Sync {
     }
 
     /// Derivative of `derivatives` with respect to time at a fixed state.
-    fn time_tangent(
+    fn derivative_by_time(
         &self,
         time: f64,
         y: &[f64],
@@ -267,7 +267,7 @@ pub trait Dynamics: Sync {
     /// Size of a state entry that errors are measured by. Default: its scale and
     /// its value together. The angle of a rotor, which grows with every turn, is not
     /// known less well for that.
-    fn size(&self, index: usize, value: f64) -> f64 {
+    fn error_size(&self, index: usize, value: f64) -> f64 {
         self.scales()[index] + value.abs()
     }
 
@@ -333,7 +333,7 @@ pub trait Dynamics: Sync {
         Probe::RESTS
     }
 
-    /// True where [`Self::crossing`] has to be asked. Default: false.
+    /// True where [`Self::first_crossing`] has to be asked. Default: false.
     fn has_crossings(&self) -> bool {
         false
     }
@@ -341,7 +341,7 @@ pub trait Dynamics: Sync {
     /// The first switch on a step, up to `end`, of what is no linear function of a
     /// signal and its rate: its place and what changes. `fresh`: something has switched
     /// at the step's start. Guards at rest change beyond their floors. Default: none.
-    fn crossing(
+    fn first_crossing(
         &self,
         _step: &Step<'_>,
         _modes: &Modes,
@@ -352,7 +352,7 @@ pub trait Dynamics: Sync {
         None
     }
 
-    /// The guards that [`Self::crossing`] looks at of which a state does not tell the sign,
+    /// The guards that [`Self::first_crossing`] looks at of which a state does not tell the sign,
     /// as what errors of `share` of the scales of the state change in them is more than
     /// their value. Default: none.
     fn undecided_guards(

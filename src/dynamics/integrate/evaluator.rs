@@ -63,11 +63,11 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
     }
 
     /// Derivative with respect to time at a fixed state.
-    pub(super) fn time_tangent(&self, time: f64, y: &[f64], out: &mut [f64]) {
+    pub(super) fn derivative_by_time(&self, time: f64, y: &[f64], out: &mut [f64]) {
         let modes = self.modes.borrow();
         let mut scratch = self.scratch.borrow_mut();
         self.dynamics
-            .time_tangent(time, y, &modes, &mut scratch, out);
+            .derivative_by_time(time, y, &modes, &mut scratch, out);
         self.evaluations.set(self.evaluations.get() + 1);
     }
 

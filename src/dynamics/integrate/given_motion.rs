@@ -27,7 +27,8 @@ pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
             true => start + taken * step,
             false => run.target,
         };
-        if end_without_law(run, time) || run.accept(time, &[], &[], None) != Verdict::Continue {
+        if end_without_law(run, time) || run.accept_step(time, &[], &[], None) != Verdict::Continue
+        {
             return;
         }
     }
@@ -49,7 +50,7 @@ fn end_without_law<D: Dynamics>(run: &mut Run<'_, D>, until: f64) -> bool {
             None => before = middle,
         }
     }
-    if run.accept(before, &[], &[], None) == Verdict::Continue {
+    if run.accept_step(before, &[], &[], None) == Verdict::Continue {
         run.end(Stop::Physical(found));
     }
     true

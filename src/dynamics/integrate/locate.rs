@@ -48,7 +48,7 @@ impl Stretch<'_> {
     pub(super) fn causes(&self, watch: &EventFunction, s: f64) -> impl Iterator<Item = Guard> {
         let degree = self.step.degree;
         watch.guards.into_iter().filter(move |guard| {
-            let coefficients = self.guard(guard, 1.0);
+            let coefficients = self.guard_coefficients(guard, 1.0);
             let size = largest(&coefficients[..=degree]);
             evaluate(&coefficients[..=degree], s).0.abs() <= 1e-12 * size
         })
@@ -57,8 +57,8 @@ impl Stretch<'_> {
     fn fires(&self, watch: &EventFunction) -> Option<f64> {
         let degree = self.step.degree;
         let sign = if watch.rising { 1.0 } else { -1.0 };
-        let mut first = self.guard(&watch.guards[0], sign);
-        let mut second = self.guard(&watch.guards[1], sign);
+        let mut first = self.guard_coefficients(&watch.guards[0], sign);
+        let mut second = self.guard_coefficients(&watch.guards[1], sign);
         let touches =
             |own: &&GrazingContact| own.component == watch.component && own.rising == watch.rising;
         if let Some(touching) = self.touching.iter().find(touches) {
@@ -103,7 +103,7 @@ impl Stretch<'_> {
     /// Coefficients of ±guard. Both ends are computed from the exact state, so
     /// that a sign seen at the end of one step is the sign at the start of the
     /// next; a guard known to be zero at the start is shifted to be so.
-    fn guard(&self, guard: &Guard, sign: f64) -> Coefficients {
+    fn guard_coefficients(&self, guard: &Guard, sign: f64) -> Coefficients {
         let degree = self.step.degree;
         let signal = self.step.differences(guard.signal);
         let offset = guard.offset + guard.displacement * self.step.bases[guard.signal];

@@ -115,11 +115,11 @@ pub fn integrate_changing<D: Dynamics>(
     run.singularities.end = end;
     if y0.len() != 2 * dynamics.coordinates() {
         let reason = format!("the initial state has {} entries", y0.len());
-        run.refuse(start, reason);
+        run.end_before_start(start, reason);
     } else {
         run.start(start, y0);
         if let Some(reason) = refusal(start, end, settings) {
-            run.refuse(start, reason);
+            run.end_before_start(start, reason);
         }
     }
     while run.stop.is_none() && run.from.time < end {
@@ -130,7 +130,7 @@ pub fn integrate_changing<D: Dynamics>(
             end
         };
         run.narrow_down();
-        run.aim();
+        run.end_leg_before_edge();
         let rest = run.target - run.from.time;
         // Over less before the very end a polynomial would tell no speeds.
         let roundings = if run.target == end { 4096.0 } else { 16.0 };
@@ -153,12 +153,12 @@ pub fn integrate_changing<D: Dynamics>(
                 }
                 Method::Exact => {
                     let (time, reason) = (run.from.time, EXACT_IS_NO_INTEGRATION.to_owned());
-                    run.refuse(time, reason);
+                    run.end_before_start(time, reason);
                 }
                 #[cfg(not(feature = "diffsol"))]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => {
                     let (time, reason) = (run.from.time, WITHOUT_DIFFSOL.to_owned());
-                    run.refuse(time, reason);
+                    run.end_before_start(time, reason);
                 }
             }
         }

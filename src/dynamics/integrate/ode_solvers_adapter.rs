@@ -95,7 +95,7 @@ fn dopri5<D: Dynamics>(run: &mut Run<'_, D>) {
     let attempts = counters.calls.get().saturating_sub(1) / 6;
     run.rejected += attempts.saturating_sub(counters.accepted.get());
     if let Err(error) = ended {
-        fail(run, &error);
+        end_by_error(run, &error);
     }
 }
 
@@ -143,7 +143,7 @@ fn dop853<D: Dynamics>(run: &mut Run<'_, D>) {
     let attempts = calls.saturating_sub(1 + accepted) / 11;
     run.rejected += attempts.saturating_sub(accepted);
     if let Err(error) = ended {
-        fail(run, &error);
+        end_by_error(run, &error);
     }
 }
 
@@ -153,7 +153,7 @@ fn rounding(start: f64, target: f64) -> f64 {
 }
 
 /// What a solver's error means for the run.
-fn fail<D: Dynamics>(run: &mut Run<'_, D>, error: &IntegrationError) {
+fn end_by_error<D: Dynamics>(run: &mut Run<'_, D>, error: &IntegrationError) {
     if run.stop.is_some() {
         return;
     }
@@ -259,7 +259,7 @@ impl<D: Dynamics> Problem<'_, '_, D> {
     }
 
     /// Hands a step on; true when the leg ends.
-    fn passed(&mut self, x: f64, z: &[f64], dz: &[f64]) -> bool {
+    fn pass_step_on(&mut self, x: f64, z: &[f64], dz: &[f64]) -> bool {
         let scales = self.scales();
         let Work { y, dy } = self.work.get_mut();
         unscale(z, scales, y);
@@ -273,7 +273,7 @@ impl<D: Dynamics> Problem<'_, '_, D> {
         }
         let accepted = self.counters.accepted.get() + 1;
         self.counters.accepted.set(accepted);
-        self.run.accept(time, y, dy, None) != Verdict::Continue || accepted >= STEPS_PER_LEG
+        self.run.accept_step(time, y, dy, None) != Verdict::Continue || accepted >= STEPS_PER_LEG
     }
 }
 
@@ -283,7 +283,7 @@ impl<D: Dynamics> System<f64, DVector<f64>> for Problem<'_, '_, D> {
     }
 
     fn solout(&mut self, x: f64, z: &DVector<f64>, dz: &DVector<f64>) -> bool {
-        self.passed(x, z.as_slice(), dz.as_slice())
+        self.pass_step_on(x, z.as_slice(), dz.as_slice())
     }
 }
 
@@ -294,7 +294,7 @@ impl<D: Dynamics, const N: usize> System<f64, SVector<f64, N>> for Problem<'_, '
     }
 
     fn solout(&mut self, x: f64, z: &SVector<f64, N>, dz: &SVector<f64, N>) -> bool {
-        self.passed(x, z.as_slice(), dz.as_slice())
+        self.pass_step_on(x, z.as_slice(), dz.as_slice())
     }
 }
 

@@ -21,7 +21,7 @@ pub(super) struct Pace {
 
 /// The next step of a leg whose target is a `rest` away: `wanted`, but the last
 /// two steps before the target are made alike.
-pub(super) fn towards(rest: f64, wanted: f64) -> f64 {
+pub(super) fn step_towards(rest: f64, wanted: f64) -> f64 {
     match wanted {
         long if 1.001 * long >= rest => rest,
         long if 2.0 * long > rest => 0.5 * rest,

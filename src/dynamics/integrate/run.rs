@@ -82,7 +82,7 @@ pub(super) struct Run<'a, D: Dynamics> {
     shorter_middle: Vec<f64>,
     event_functions: Vec<EventFunction>,
     probes: Vec<Probe>,
-    /// The switch that [`Dynamics::crossing`] found last.
+    /// The switch that [`Dynamics::first_crossing`] found last.
     crossed: Option<EventFunction>,
     /// Count of such switches, and the time from which they are counted (s).
     crossings: (u32, f64),
@@ -184,7 +184,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// Ends the run before it has begun.
-    pub(super) fn refuse(&mut self, time: f64, reason: String) {
+    pub(super) fn end_before_start(&mut self, time: f64, reason: String) {
         self.from.time = time;
         let method = self.settings.method;
         self.end(Stop::Method { method, reason });
@@ -195,7 +195,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     ///
     /// An implicit method gives the state in the `middle` of the step as well,
     /// for steps that pass over fast modes.
-    pub(super) fn accept(
+    pub(super) fn accept_step(
         &mut self,
         time: f64,
         y: &[f64],
@@ -243,7 +243,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         edge: Option<Singularity>,
     ) -> Verdict {
         if let Some(index) = self.to.not_finite() {
-            return self.fail(self.not_finite(index));
+            return self.give_up_step(self.not_finite(index));
         }
         self.steps += 1;
         self.forget_failures();
@@ -302,7 +302,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         }
         self.drawn_in = 0;
         match (found, edge) {
-            (Some(found), _) => self.cut(found),
+            (Some(found), _) => self.switch_within_step(found),
             (None, None) => match self.pass() {
                 Verdict::Continue if self.is_to_slow_down() => Verdict::Restart,
                 Verdict::Continue if self.is_to_change() => Verdict::Restart,
@@ -393,7 +393,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// which direction a guard that is zero sets out.
     fn earliest_of_stiff(&mut self, middle: &[f64]) -> Option<LocatedEvent> {
         self.output.quintic(&self.from, &self.to);
-        if self.zero_at_start.is_empty() && !self.agrees(middle) {
+        if self.zero_at_start.is_empty() && !self.agrees_in_middle(middle) {
             self.output
                 .through_middle(self.evaluator, &self.from, middle, &self.to);
         }
@@ -402,7 +402,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
 
     /// The output's state in the middle of the step is the given one, within
     /// the tolerance of the run.
-    fn agrees(&mut self, middle: &[f64]) -> bool {
+    fn agrees_in_middle(&mut self, middle: &[f64]) -> bool {
         let step = self.output.step(1.0);
         step.state(0.5, &mut self.middle);
         let scales = self.evaluator.dynamics.scales();

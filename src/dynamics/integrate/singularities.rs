@@ -109,7 +109,7 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// Ends the coming leg before it gets much nearer to an edge.
-    pub(super) fn aim(&mut self) {
+    pub(super) fn end_leg_before_edge(&mut self) {
         let mut longest = self.singularities.longest.take().unwrap_or(f64::INFINITY);
         self.singularities.near = longest.is_finite();
         self.singularities.sharpness = 1.0;
@@ -156,7 +156,7 @@ impl<D: Dynamics> Run<'_, D> {
                 step.state(0.5 * s, middle);
                 let (time, mut y) = (step.time(s), self.to.y.clone());
                 step.state(s, &mut y);
-                put(&mut self.to, self.evaluator, time, &y);
+                move_end_to(&mut self.to, self.evaluator, time, &y);
                 Ok(Some(edge))
             }
         }
@@ -259,7 +259,7 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// A method cannot go on, for the reason `stop`. Before an edge, that is
     /// why: the rest of the way is taken in shorter legs.
-    pub(super) fn fail(&mut self, stop: Stop) -> Verdict {
+    pub(super) fn give_up_step(&mut self, stop: Stop) -> Verdict {
         let mut next: Option<(f64, Singularity)> = None;
         for edge in &self.singularities.list {
             let approach = Approach::of(edge, &self.from);
@@ -310,7 +310,7 @@ impl<D: Dynamics> Run<'_, D> {
 }
 
 /// Moves an end to (`time`, `y`).
-fn put<D: Dynamics>(end: &mut End, evaluator: &Evaluator<'_, D>, time: f64, y: &[f64]) {
+fn move_end_to<D: Dynamics>(end: &mut End, evaluator: &Evaluator<'_, D>, time: f64, y: &[f64]) {
     let mut dy = vec![0.0; y.len()];
     evaluator.derivatives(time, y, &mut dy);
     end.set(evaluator, time, y, &dy);

@@ -15,7 +15,7 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn end_not_finite(&mut self, index: usize) -> Verdict {
         match self.evaluator.take_obstacle() {
             Some(obstacle) => self.end(Stop::Physical(obstacle)),
-            None => self.fail(self.not_finite(index)),
+            None => self.give_up_step(self.not_finite(index)),
         }
     }
 
@@ -44,8 +44,8 @@ impl<D: Dynamics> Run<'_, D> {
             return self.end(Stop::Physical(obstacle));
         }
         match self.evaluator.take_not_finite() {
-            Some(index) => self.fail(self.not_finite(index)),
-            None => self.fail(stop),
+            Some(index) => self.give_up_step(self.not_finite(index)),
+            None => self.give_up_step(stop),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::{Domain, ForceLaw, LawInstance, Measure, Parameter};
 use crate::dynamics::load::{Force, LoadFunction, LoadSeries};
 use crate::dynamics::model::LoadLaw;
-use crate::math::polynomial::{Coefficients, MAX_DEGREE, against, product};
+use crate::math::polynomial::{Coefficients, MAX_DEGREE, convolution_term, product};
 use std::sync::Arc;
 
 pub(super) const KLOSS: ForceLaw = ForceLaw {
@@ -62,7 +62,7 @@ struct Kloss {
 
 impl Kloss {
     /// Slip s, s² + s_b² and 2·T_b·s_b.
-    fn parts(&self, speed: f64) -> (f64, f64, f64) {
+    fn slip_terms(&self, speed: f64) -> (f64, f64, f64) {
         let slip = 1.0 - speed / self.synchronous;
         let square = slip * slip + self.breakdown_slip * self.breakdown_slip;
         (slip, square, 2.0 * self.breakdown * self.breakdown_slip)
@@ -71,7 +71,7 @@ impl Kloss {
 
 impl LoadFunction for Kloss {
     fn force(&self, _: f64, speed: f64) -> Force {
-        let (slip, square, factor) = self.parts(speed);
+        let (slip, square, factor) = self.slip_terms(speed);
         let over_slip =
             factor * (self.breakdown_slip * self.breakdown_slip - slip * slip) / (square * square);
         Force {
@@ -129,7 +129,7 @@ struct SlipSeries {
 
 impl LoadSeries for SlipSeries {
     fn begin(&mut self, _: f64, speed: f64) {
-        let (slip, square, factor) = self.law.parts(speed);
+        let (slip, square, factor) = self.law.slip_terms(speed);
         (self.slip[0], self.square[0]) = (slip, square);
         self.torque[0] = factor * slip / square;
     }
@@ -139,7 +139,7 @@ impl LoadSeries for SlipSeries {
         let factor = 2.0 * self.law.breakdown * self.law.breakdown_slip;
         self.slip[order] = -speed[order] / self.law.synchronous;
         self.square[order] = product(&self.slip, &self.slip, order);
-        let known = against(&self.square[1..=order], &self.torque[..order]);
+        let known = convolution_term(&self.square[1..=order], &self.torque[..order]);
         self.torque[order] = (factor * self.slip[order] - known) / self.square[0];
         self.torque[order]
     }

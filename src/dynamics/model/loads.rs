@@ -83,7 +83,7 @@ impl LoadLaw {
     }
 
     /// The expression that it is.
-    pub fn written(&self) -> Option<&WrittenLoad> {
+    pub fn expression_load(&self) -> Option<&WrittenLoad> {
         match self {
             Self::Written(written) => Some(written),
             Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
@@ -283,7 +283,7 @@ impl LoadLaw {
                     TrackSource::Time => (time, 1.0),
                     TrackSource::Node(node) => motion(node)?,
                 };
-                let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
+                let (index, shift) = track.breaks.piece(track.breaks.segment_at(x, sense));
                 let piece = pieces.get(index.min(pieces.len().checked_sub(1)?))?;
                 Some(piece.value + piece.slope * (x - shift - piece.start))
             }

@@ -61,7 +61,7 @@ pub struct PartInput {
 
 impl PartInput {
     /// The inputs of an object behind one driver, or of a drive (`None`).
-    pub fn only(driver: Option<usize>) -> Vec<Self> {
+    pub fn behind_one_driver(driver: Option<usize>) -> Vec<Self> {
         let port = String::new();
         driver
             .map(|driver| Self { port, driver })

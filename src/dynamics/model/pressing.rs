@@ -45,7 +45,7 @@ impl ContactPartner {
             Self::Fixed(pressure) => return pressure.of(pull),
             Self::Cam(on_cam) => on_cam,
         };
-        let (piece, phi) = cam.motion().locate(angle);
+        let (piece, phi) = cam.motion().piece_at(angle);
         let state = cam.at(piece, phi);
         let outward = lever * cam.geometry().outward;
         let normal = -outward * pull / state.lever;

@@ -30,10 +30,10 @@ impl Figures {
         for (id, figures) in &self.objects {
             // Plain data cannot fail to serialise; a failure would show as a missing address.
             let value = serde_json::to_value(figures).unwrap_or_default();
-            collect(id, &value, &mut found);
+            collect_values(id, &value, &mut found);
         }
         let run = serde_json::to_value(&self.run).unwrap_or_default();
-        collect("run", &run, &mut found);
+        collect_values("run", &run, &mut found);
         let studies = self.studies.iter();
         found.extend(studies.map(|(address, own)| (address.clone(), own.value)));
         found
@@ -173,16 +173,16 @@ impl Figures {
     }
 }
 
-fn collect(prefix: &str, value: &Value, found: &mut BTreeMap<String, Option<f64>>) {
+fn collect_values(prefix: &str, value: &Value, found: &mut BTreeMap<String, Option<f64>>) {
     match value {
         Value::Object(members) => {
             for (name, member) in members {
-                collect(&format!("{prefix}.{name}"), member, found);
+                collect_values(&format!("{prefix}.{name}"), member, found);
             }
         }
         Value::Array(members) => {
             for (index, member) in members.iter().enumerate() {
-                collect(&format!("{prefix}.{index}"), member, found);
+                collect_values(&format!("{prefix}.{index}"), member, found);
             }
         }
         Value::Number(_) | Value::Bool(_) | Value::Null | Value::String(_) => {

@@ -18,7 +18,7 @@ pub(crate) struct Ledger {
 
 impl Ledger {
     /// The energy at the start.
-    pub(crate) fn open(&mut self, energy: Energy) {
+    pub(crate) fn start_energy(&mut self, energy: Energy) {
         self.energy = energy.kinetic + energy.elastic;
         self.step.greatest = [energy.kinetic, energy.elastic];
     }
@@ -35,7 +35,7 @@ impl Ledger {
     }
 
     /// An impact at which the energy of the speeds before it becomes that of those after it.
-    pub(crate) fn strike(&mut self, impact: &Impact, after: Energy) -> EnergyAudit {
+    pub(crate) fn add_impact(&mut self, impact: &Impact, after: Energy) -> EnergyAudit {
         let step = &mut self.step;
         step.drives += impact.drives;
         step.put_in[0] += impact.drives.max(0.0);
@@ -71,7 +71,7 @@ mod tests {
             elastic: 0.5 * x(t) * x(t),
         };
         let (mut ledger, mut audit) = (Ledger::default(), EnergyAudit::default());
-        ledger.open(energy(0.0));
+        ledger.start_energy(energy(0.0));
         let (steps, span) = (40, 0.25);
         for step in 0..steps {
             for (index, place) in PLACES.iter().enumerate().take(6).skip(1) {

@@ -57,11 +57,11 @@ impl Groups {
     }
 
     /// Hears of a switch: true where rows are to follow it.
-    pub(super) fn follow(&mut self) -> bool {
+    pub(super) fn begin_after_switch(&mut self) -> bool {
         let number = self.switches;
         self.switches += 1;
         if self.table.times.len() > self.most_rows {
-            self.halve();
+            self.drop_every_second();
         }
         let followed = number.is_multiple_of(self.every);
         if followed {
@@ -71,7 +71,7 @@ impl Groups {
     }
 
     /// Drops every second group.
-    fn halve(&mut self) {
+    fn drop_every_second(&mut self) {
         let end = self.table.times.len();
         let ends = self.starts.iter().skip(1).chain([&end]);
         let groups = self.starts.iter().zip(ends).map(|(from, to)| *from..*to);
@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(groups.most_rows, LEAST_ROWS);
         let rows = |switch: u64| 3 + switch % 5;
         for switch in 0..20_000 {
-            if groups.follow() {
+            if groups.begin_after_switch() {
                 for row in 0..rows(switch) {
                     groups
                         .table
@@ -127,7 +127,7 @@ mod tests {
     fn few_switches_are_all_followed() {
         let mut groups = Groups::new(3);
         for switch in 0..50 {
-            assert!(groups.follow());
+            assert!(groups.begin_after_switch());
             groups.table.push(f64::from(switch), &[1.0, 2.0, 3.0]);
         }
         assert_eq!((groups.every, groups.table.times.len()), (1, 50));

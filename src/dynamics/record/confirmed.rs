@@ -84,7 +84,7 @@ impl Log<'_> {
 #[cfg(test)]
 impl ConfirmedPeak {
     /// The same where the state shows something else, by a share.
-    pub(crate) fn off(mut self, share: f64) -> Self {
+    pub(crate) fn with_share_of_error(mut self, share: f64) -> Self {
         self.seen *= 1.0 + share;
         self
     }
@@ -99,7 +99,7 @@ pub(crate) fn check_confirmed_peaks(
 ) {
     for own in &recorded.confirmed {
         let figures = recorded.figures.iter();
-        let kind = figures.map(|figures| size(own.signal, figures));
+        let kind = figures.map(|figures| greatest_value_of_kind(own.signal, figures));
         let size = own.told.abs().max(RESOLVED * kind.fold(0.0, f64::max));
         if size > 0.0 {
             let rounding = match own.signal {
@@ -140,7 +140,7 @@ pub(crate) fn acceleration_rounding(model: &Model, object: usize, figures: &Obje
 }
 
 /// The greatest value of the kind of a signal that figures of an object tell.
-fn size(signal: Signal, figures: &ObjectFigures) -> f64 {
+fn greatest_value_of_kind(signal: Signal, figures: &ObjectFigures) -> f64 {
     match signal {
         Signal::Deviation | Signal::Clearance | Signal::Indentation => {
             figures.end.displacement.abs().max(figures.delta_abs)

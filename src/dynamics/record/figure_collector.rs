@@ -139,11 +139,11 @@ impl<'s> FigureCollector<'s> {
         }
         let energy = self.observer.energy_of(time, y, modes);
         if bad.is_some() {
-            self.fail(time, bad);
+            self.note_failure(time, bad);
         } else if !failure::is_sound(&energy) {
-            self.fail(time, None);
+            self.note_failure(time, None);
         } else {
-            self.ledger.open(energy);
+            self.ledger.start_energy(energy);
         }
     }
 
@@ -152,7 +152,7 @@ impl<'s> FigureCollector<'s> {
         if step.end <= 0.0 || self.failure.is_some() {
             return;
         }
-        self.observer.begin(step.length);
+        self.observer.begin_step(step.length);
         let (length, most) = (step.end * step.length, pieces::max_pieces(step.degree));
         self.longest = self.longest.max(length);
         // What is short already needs no pieces.
@@ -164,7 +164,7 @@ impl<'s> FigureCollector<'s> {
         let parts = most.div_ceil(count);
         self.smooth = f64::INFINITY;
         let mut pieces = std::mem::take(&mut self.pieces);
-        pieces.each(step, count, |piece| self.long_step(piece, parts, modes));
+        pieces.for_each_piece(step, count, |piece| self.long_step(piece, parts, modes));
         self.pieces = pieces;
     }
 
@@ -179,7 +179,7 @@ impl<'s> FigureCollector<'s> {
         }
         if let Some((impact, _)) = event.impact {
             let energy = self.observer.energy_of(event.time, event.y, event.after);
-            self.audit.append(&self.ledger.strike(impact, energy));
+            self.audit.append(&self.ledger.add_impact(impact, energy));
             let states = self.observer.state(event.time, event.y, event.after);
             for (tally, state) in self.tallies.iter_mut().zip(states) {
                 tally.include_state(event.time, state);
@@ -239,7 +239,7 @@ impl<'s> FigureCollector<'s> {
         // The state at its start is that of its first part.
         self.continues = true;
         let mut parts = std::mem::take(&mut self.parts);
-        parts.each(step, count, |part| self.short_step(part, modes));
+        parts.for_each_piece(step, count, |part| self.short_step(part, modes));
         self.parts = parts;
     }
 
@@ -269,7 +269,7 @@ impl<'s> FigureCollector<'s> {
             works,
         };
         for (object, tally) in self.tallies.iter_mut().enumerate() {
-            tally.take(object, &mut segment);
+            tally.add_segment(object, &mut segment);
         }
         self.audit.append(&segment.works());
         // The end of this step is the start of the next.
@@ -290,15 +290,15 @@ impl<'s> FigureCollector<'s> {
         });
         let objects = self.tallies.len();
         if let Some(index) = self.states.iter().position(|state| !is_finite(state)) {
-            self.fail(time, Some(index % objects));
+            self.note_failure(time, Some(index % objects));
         } else if !(sound && failure::is_sound(&self.energy)) {
-            self.fail(time, None);
+            self.note_failure(time, None);
         }
         self.failure.is_none()
     }
 
     /// Notes the first failure: in a state of `object`, or in the energies.
-    fn fail(&mut self, time: f64, object: Option<usize>) {
+    fn note_failure(&mut self, time: f64, object: Option<usize>) {
         let model = self.observer.system().model();
         let found = || Failure::of(model, time, object);
         self.failure.get_or_insert_with(found);

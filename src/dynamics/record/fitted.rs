@@ -19,7 +19,10 @@ const ROUNDINGS: f64 = 16.0;
 const PARTS: [f64; 2] = [4.0, 1e6];
 
 /// The parts of a stretch: with a density (1/s) so many in a second, without one it is a step.
-pub(super) fn parts([from, to]: [f64; 2], density: Option<f64>) -> impl Iterator<Item = [f64; 2]> {
+pub(super) fn parts_of_stretch(
+    [from, to]: [f64; 2],
+    density: Option<f64>,
+) -> impl Iterator<Item = [f64; 2]> {
     let [least, most] = PARTS;
     let count = density.map_or(1.0, |own| (own * (to - from)).clamp(least, most).ceil());
     let edge = move |part: u64| match part as f64 == count {
@@ -62,7 +65,7 @@ impl Signal {
             return Self::Broken;
         }
         let inner: [f64; NODES] = std::array::from_fn(|place| values[place]);
-        let series = nodes.fit(&inner);
+        let series = nodes.polynomial_through(&inner);
         let size = series.iter().map(|c| c.abs()).sum::<f64>();
         let last = series[NODES - LAST..].iter().map(|c| c.abs()).sum::<f64>();
         // The ends are no nodes: they tell what the coefficients may not.

@@ -105,7 +105,7 @@ impl<'s> Log<'s> {
                     let entries = 2 * system.coordinates();
                     InstantSampler::new(settings.duration, entries, fastest_rate(model))
                 }
-                false => InstantSampler::idle(),
+                false => InstantSampler::drawing_nothing(),
             },
             settings,
         }
@@ -134,16 +134,16 @@ impl<'s> Log<'s> {
     /// The samples that fall into a stretch, which may be a step.
     pub(crate) fn sample(&mut self, mut stretch: Stretch<'_>) {
         let [from, until] = stretch.span;
-        self.draw(&mut stretch);
+        self.draw_instants(&mut stretch);
         self.watch(&mut stretch);
         self.search_spans(&mut stretch);
-        while let Some(time) = self.rows.due(until) {
+        while let Some(time) = self.rows.next_sample_until(until) {
             if self.failure.is_some() {
                 return;
             }
             let seen = stretch.view_at(time, &mut self.observer, &mut self.masses);
             if !self.rows.sample_at(time, seen) {
-                self.fail(from);
+                self.note_failure(from);
             }
         }
         if !self.masses.is_empty() && self.rows.nearly_due(until) {
@@ -157,7 +157,7 @@ impl<'s> Log<'s> {
     }
 
     /// The instants that are drawn from a stretch.
-    fn draw(&mut self, stretch: &mut Stretch<'_>) {
+    fn draw_instants(&mut self, stretch: &mut Stretch<'_>) {
         let (span, modes) = (stretch.span, stretch.modes);
         match &mut stretch.course {
             Course::Step(step) => {
@@ -180,7 +180,7 @@ impl<'s> Log<'s> {
         }
         let whole = matches!(stretch.course, Course::Known(_));
         let (span, observer) = (stretch.span, &mut self.observer);
-        self.watch.follow(span, whole, &mut |time, object| {
+        self.watch.watch_stretch(span, whole, &mut |time, object| {
             stretch.view_at(time, observer, &mut []).states[object]
         });
     }
@@ -194,7 +194,7 @@ impl<'s> Log<'s> {
         let (span, observer) = (stretch.span, &mut self.observer);
         // (Several values are looked for at the same instants.)
         let mut seen: BTreeMap<u64, Vec<ObjectState>> = BTreeMap::new();
-        self.spans.follow(span, whole, &mut |time, object| {
+        self.spans.search_stretch(span, whole, &mut |time, object| {
             if seen.len() > MOST_SEEN {
                 seen.clear();
             }
@@ -223,7 +223,7 @@ impl<'s> Log<'s> {
                     true => &mut off,
                     false => &mut self.separations,
                 };
-                pair.strike((id, event.time), impact, &mut self.switches, intervals);
+                pair.add_impact((id, event.time), impact, &mut self.switches, intervals);
             }
         }
         for pair in self.pairs.iter_mut().filter(changed) {
@@ -276,7 +276,7 @@ impl<'s> Log<'s> {
                 self.observer.state(event.time, y, modes);
                 let seen = current_view(&self.observer, modes, &mut self.masses);
                 if !self.rows.push(event.time, seen) {
-                    return self.fail(event.time);
+                    return self.note_failure(event.time);
                 }
             }
         }
@@ -309,7 +309,7 @@ impl<'s> Log<'s> {
             log.rows.values(seen).map(<[f64]>::to_vec)
         };
         let Some(first) = row(self, from) else {
-            return self.fail(from);
+            return self.note_failure(from);
         };
         self.rows.push_closeup(from, &first);
         // Ends of what is still to be looked at, the nearest last.
@@ -318,14 +318,14 @@ impl<'s> Log<'s> {
             let time = from + (until - from) * (f64::from(part) / f64::from(PARTS));
             match row(self, time) {
                 Some(values) => ends.push((time, values, 0)),
-                None => return self.fail(from),
+                None => return self.note_failure(from),
             }
         }
         let (mut time, mut values) = (from, first);
         while let Some((to, last, depth)) = ends.pop() {
             let middle = 0.5 * (time + to);
             let Some(between) = row(self, middle) else {
-                return self.fail(from);
+                return self.note_failure(from);
             };
             let straight = self.rows.is_straight([&values, &between, &last], STRAIGHT);
             if straight || depth == DEEPEST || self.budget == 0 {
@@ -339,7 +339,7 @@ impl<'s> Log<'s> {
         }
     }
 
-    fn fail(&mut self, time: f64) {
+    fn note_failure(&mut self, time: f64) {
         let states = self.observer.states();
         let bad = states.iter().position(|state| !is_finite(state));
         let model = self.observer.system().model();

@@ -86,7 +86,7 @@ pub struct Closeups {
 impl Record {
     /// The record with the closeups among its samples.
     #[must_use]
-    pub fn merged(&self) -> Self {
+    pub fn with_closeups(&self) -> Self {
         let mut order: Vec<(f64, bool, usize)> = Vec::new();
         for (close, times) in [(false, &self.times), (true, &self.closeups.times)] {
             order.extend(times.iter().enumerate().map(|(k, &time)| (time, close, k)));

@@ -129,7 +129,7 @@ impl Default for Ranges {
 
 impl Ranges {
     #[inline(always)]
-    fn take(&mut self, state: &ObjectState) {
+    fn add_state(&mut self, state: &ObjectState) {
         // (All are numbers. Four at a time.)
         let values = MAGNITUDES.map(|signal| read(signal, state));
         for ((most, least), value) in self.most.iter_mut().zip(&mut self.least).zip(values) {
@@ -195,7 +195,7 @@ impl Segment for ObservedStep<'_, '_> {
             }),
             _ => {
                 let values = at_places(self.states, self.coordinates.len(), object, signal);
-                return self.follow(asked, &values.map(|value| sign * value), peak);
+                return self.follow_signal(asked, &values.map(|value| sign * value), peak);
             }
         };
         if let Some((value, place)) = found {
@@ -211,7 +211,7 @@ impl Segment for ObservedStep<'_, '_> {
                 signal,
                 sign,
             };
-            self.follow(asked, &values.map(|value| sign * value), peak);
+            self.follow_signal(asked, &values.map(|value| sign * value), peak);
         }
     }
 
@@ -220,7 +220,7 @@ impl Segment for ObservedStep<'_, '_> {
         // Most often none can pass, and nothing has to be looked at twice.
         let mut ranges = Ranges::default();
         for place in 0..PLACES.len() {
-            ranges.take(&self.states[place * objects + object]);
+            ranges.add_state(&self.states[place * objects + object]);
         }
         let passing = ranges.magnitudes();
         for (k, peak) in peaks.iter_mut().enumerate() {
@@ -250,7 +250,7 @@ impl Segment for ObservedStep<'_, '_> {
 impl ObservedStep<'_, '_> {
     /// Follows a signal that is no polynomial from place to place, at which it has the
     /// values given.
-    fn follow(&mut self, asked: SegmentSignal, values: &[f64; 7], peak: &mut Peak) {
+    fn follow_signal(&mut self, asked: SegmentSignal, values: &[f64; 7], peak: &mut Peak) {
         let SegmentSignal {
             object,
             signal,
@@ -260,10 +260,12 @@ impl ObservedStep<'_, '_> {
         let (observer, modes, looks) = (&mut *self.observer, self.modes, &mut *self.looks);
         let of = (object, self.coordinates.len());
         let look = |s: f64| {
-            let state = looks.at(of, s, |states| observer.put(step, s, modes, states));
+            let state = looks.at(of, s, |states| {
+                observer.observe_into(step, s, modes, states)
+            });
             sign * read(signal, state)
         };
         let time = |place| step.time(place);
-        peak.follow(&places(step.end), values, time, look);
+        peak.add_step(&places(step.end), values, time, look);
     }
 }

@@ -45,9 +45,9 @@ impl<'s> Observer<'s> {
     }
 
     /// A step of a length (s) is looked at next, whole or in pieces.
-    pub(crate) fn begin(&mut self, length: f64) {
+    pub(crate) fn begin_step(&mut self, length: f64) {
         if let Some(bends) = &mut self.bends {
-            bends.begin(length);
+            bends.begin_step(length);
         }
     }
 
@@ -59,13 +59,13 @@ impl<'s> Observer<'s> {
     /// States of all objects at the place s of a step.
     pub(crate) fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
         let mut states = std::mem::take(&mut self.states);
-        self.put(step, s, modes, &mut states);
+        self.observe_into(step, s, modes, &mut states);
         self.states = states;
         &self.states
     }
 
     /// States of all objects at s, into `states`.
-    pub(crate) fn put(
+    pub(crate) fn observe_into(
         &mut self,
         step: &Step<'_>,
         s: f64,
@@ -163,7 +163,7 @@ impl<'s> Observer<'s> {
     /// States of all objects at an instant of a step.
     pub(crate) fn state_in(&mut self, step: &Step<'_>, time: f64, modes: &Modes) {
         let s = ((time - step.start) / step.length).clamp(0.0, step.end);
-        self.begin(step.length);
+        self.begin_step(step.length);
         let mut states = std::mem::take(&mut self.states);
         self.states_at(step, (s, time), modes, &mut states);
         self.states = states;

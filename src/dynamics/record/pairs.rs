@@ -65,7 +65,7 @@ impl PairTracker {
     }
 
     /// An impact of a rigid contact at `time`, after which it is open or rests.
-    pub(crate) fn strike(
+    pub(crate) fn add_impact(
         &mut self,
         (id, time): (&str, f64),
         impact: &Impact,

@@ -28,7 +28,7 @@ const SPLINTER: f64 = 65_536.0 * f64::EPSILON;
 impl Peak {
     /// Takes a step into account: `values` at `places` (ascending), `time`
     /// gives the time at a place and `look` the value there.
-    pub(crate) fn follow(
+    pub(crate) fn add_step(
         &mut self,
         places: &[f64; 7],
         values: &[f64; 7],
@@ -83,7 +83,7 @@ mod tests {
 
     fn peak_of(f: impl Fn(f64) -> f64 + Copy) -> (Peak, usize) {
         let (mut peak, mut looks) = (Peak::NONE, 0);
-        peak.follow(
+        peak.add_step(
             &PLACES,
             &PLACES.map(f),
             |s| 10.0 + s,
@@ -121,7 +121,7 @@ mod tests {
     fn rounding_within_a_splinter_of_a_step_is_no_peak() {
         let mut peak = Peak::NONE;
         let values = [1.0, 1.3, 0.7, 1.2, 1.1, 0.9, 1.01];
-        peak.follow(
+        peak.add_step(
             &PLACES,
             &values,
             |s| 3.0 + 2e-15 * s,
@@ -141,7 +141,7 @@ mod tests {
         let mut peak = Peak::NONE;
         peak.include(0.0, 5.0);
         let f = |s: f64| 1.0 - (s - 0.4).powi(2);
-        peak.follow(&PLACES, &PLACES.map(f), |s| s, |_| panic!("no look needed"));
+        peak.add_step(&PLACES, &PLACES.map(f), |s| s, |_| panic!("no look needed"));
         assert_eq!(peak.value, 5.0);
     }
 
@@ -149,7 +149,7 @@ mod tests {
     fn only_times_within_the_bounds_count() {
         let mut peak = Peak::within([0.0, 0.45]);
         let f = |s: f64| 1.0 - (s - 0.5).powi(2);
-        peak.follow(&PLACES, &PLACES.map(f), |s| s, f);
+        peak.add_step(&PLACES, &PLACES.map(f), |s| s, f);
         assert_eq!(peak.value, f(PLACES[2]));
         peak.include(0.45, f(0.45));
         assert_eq!(peak.value, f(0.45));

@@ -35,7 +35,12 @@ pub(super) struct Pieces {
 
 impl Pieces {
     /// Calls `each` with `count` pieces of equal length, up to the step's end.
-    pub(super) fn each(&mut self, step: &Step<'_>, count: usize, mut each: impl FnMut(&Step<'_>)) {
+    pub(super) fn for_each_piece(
+        &mut self,
+        step: &Step<'_>,
+        count: usize,
+        mut each: impl FnMut(&Step<'_>),
+    ) {
         if count == 1 {
             return each(step);
         }
@@ -81,7 +86,7 @@ mod tests {
             coefficients: &coefficients,
         };
         let (mut next, mut number) = (2.0, 0);
-        Pieces::default().each(&step, 4, |piece| {
+        Pieces::default().for_each_piece(&step, 4, |piece| {
             approx::assert_abs_diff_eq!(piece.start, next, epsilon = 1e-15);
             for k in 0..=5 {
                 let s = f64::from(k) / 5.0;

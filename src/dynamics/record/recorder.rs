@@ -71,7 +71,7 @@ impl<'s> Recorder<'s> {
         recorded
     }
 
-    fn failed(&self) -> bool {
+    fn has_failed(&self) -> bool {
         self.figured.failure().is_some() || self.log.failure().is_some()
     }
 }
@@ -83,7 +83,7 @@ impl Sink for Recorder<'_> {
     }
 
     fn step(&mut self, step: &Step<'_>, modes: &Modes) {
-        if self.failed() {
+        if self.has_failed() {
             return;
         }
         self.figured.step(step, modes);
@@ -103,7 +103,7 @@ impl Sink for Recorder<'_> {
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
-        if !self.failed() {
+        if !self.has_failed() {
             self.figured.switch(event);
             self.log.switch(event);
         }

@@ -79,7 +79,7 @@ impl Rows {
     }
 
     /// Time of the next sample if it is not later than `until`.
-    pub(crate) fn due(&self, until: f64) -> Option<f64> {
+    pub(crate) fn next_sample_until(&self, until: f64) -> Option<f64> {
         (self.next <= self.intervals)
             .then(|| self.sample_time(self.next))
             .filter(|&time| time <= until)
@@ -87,7 +87,7 @@ impl Rows {
 
     /// True when a sample is due within rounding of a time.
     pub(crate) fn nearly_due(&self, time: f64) -> bool {
-        self.due(time + self.slack()).is_some()
+        self.next_sample_until(time + self.slack()).is_some()
     }
 
     fn slack(&self) -> f64 {
@@ -121,7 +121,7 @@ impl Rows {
 
     /// Hears of a switch: true where closeups are to follow it.
     pub(crate) fn follow_switch(&mut self) -> bool {
-        self.greatest.is_some() && self.closeups.follow()
+        self.greatest.is_some() && self.closeups.begin_after_switch()
     }
 
     /// True when a row in the middle between two others lies on the straight line
@@ -160,7 +160,7 @@ impl Rows {
         if !self.is_wanted() {
             return;
         }
-        if let Some(due) = self.due(time + self.slack()) {
+        if let Some(due) = self.next_sample_until(time + self.slack()) {
             self.sample_at(due, last);
         }
     }
@@ -317,7 +317,7 @@ mod tests {
         let mut rows = Rows::new(&lever(), false, 3, 0.3);
         let mut time = 0.0;
         while time < 0.3 - 1e-9 {
-            while let Some(due) = rows.due(time) {
+            while let Some(due) = rows.next_sample_until(time) {
                 rows.sample_at(due, seen(&REST));
             }
             time += 0.05;

@@ -50,7 +50,7 @@ impl Segment for SampledStretch<'_> {
             std::array::from_fn(|k| sign * read(signal, &self.states[k * objects + object]));
         let time = |place: f64| from + place * (to - from);
         let look = |place| sign * read(signal, &(self.look)(time(place), object));
-        peak.follow(&PLACES, &values, time, look);
+        peak.add_step(&PLACES, &values, time, look);
     }
 
     fn area(&mut self, object: usize) -> f64 {

@@ -5,7 +5,7 @@
 //! was seen are left out, the others are halved. The ends of the span belong to it. All methods
 //! alike are looked at.
 
-use super::fitted::{FittedVariables, NODES, parts};
+use super::fitted::{FittedVariables, NODES, parts_of_stretch};
 use super::tally::{Sense, read};
 use crate::dynamics::audit::fastest_rate;
 use crate::dynamics::model::{Model, Span, SpanFigure, owner_of};
@@ -140,14 +140,19 @@ impl SpanSearch {
 
     /// A stretch without switches; `look` gives the state of an object at an instant of it.
     /// `whole`: it may be many vibrations long, else it is a step.
-    pub(super) fn follow(&mut self, [from, to]: [f64; 2], whole: bool, look: &mut Look<'_>) {
+    pub(super) fn search_stretch(
+        &mut self,
+        [from, to]: [f64; 2],
+        whole: bool,
+        look: &mut Look<'_>,
+    ) {
         if !(to > from) {
             return;
         }
         let density = whole.then_some(self.density);
-        for part in parts([from, to], density) {
+        for part in parts_of_stretch([from, to], density) {
             for own in &mut self.sought {
-                for inside in own.inside(part, look) {
+                for inside in own.parts_inside_span(part, look) {
                     own.climb(inside, &self.nodes, look);
                 }
             }
@@ -173,37 +178,37 @@ impl SpanSearch {
 
 impl SpanExtremum {
     /// Place on the axis of the span at an instant.
-    fn place(&self, time: f64, look: &mut Look<'_>) -> f64 {
+    fn place_on_axis(&self, time: f64, look: &mut Look<'_>) -> f64 {
         match self.axis {
             Some(object) => look(time, object).displacement,
             None => time,
         }
     }
 
-    fn reach(&mut self, place: f64) {
+    fn extend_reached(&mut self, place: f64) {
         let [low, high] = self.reached;
         self.reached = [low.min(place), high.max(place)];
     }
 
     /// The stretches of a part that lie within the span.
-    fn inside(&mut self, [from, to]: [f64; 2], look: &mut Look<'_>) -> Vec<[f64; 2]> {
+    fn parts_inside_span(&mut self, [from, to]: [f64; 2], look: &mut Look<'_>) -> Vec<[f64; 2]> {
         let mut cuts = vec![from];
-        let mut before = (from, self.place(from, look));
-        self.reach(before.1);
+        let mut before = (from, self.place_on_axis(from, look));
+        self.extend_reached(before.1);
         for number in 1..=PLACES {
             let time = match number == PLACES {
                 true => to,
                 false => from + (to - from) * (f64::from(number) / f64::from(PLACES)),
             };
-            let after = (time, self.place(time, look));
-            self.reach(after.1);
+            let after = (time, self.place_on_axis(time, look));
+            self.extend_reached(after.1);
             let (low, high) = (before.1.min(after.1), before.1.max(after.1));
             let mut ends = self.span.ends_between([low, high]);
             if after.1 < before.1 {
                 ends.reverse();
             }
             for end in ends {
-                cuts.push(self.crossing([before, after], end, look));
+                cuts.push(self.time_of_passing([before, after], end, look));
             }
             before = after;
         }
@@ -212,7 +217,7 @@ impl SpanExtremum {
         for ends in cuts.windows(2) {
             let [start, end] = [ends[0], ends[1]];
             let middle = start + 0.5 * (end - start);
-            if end >= start && self.span.contains(self.place(middle, look)) {
+            if end >= start && self.span.contains(self.place_on_axis(middle, look)) {
                 inside.push([start, end]);
             }
         }
@@ -220,8 +225,8 @@ impl SpanExtremum {
     }
 
     /// When the axis passes a place between two instants.
-    fn crossing(&self, ends: [(f64, f64); 2], place: f64, look: &mut Look<'_>) -> f64 {
-        let mut off = |time: f64| self.place(time, look) - place;
+    fn time_of_passing(&self, ends: [(f64, f64); 2], place: f64, look: &mut Look<'_>) -> f64 {
+        let mut off = |time: f64| self.place_on_axis(time, look) - place;
         bracketed(&mut off, ends.map(|(time, _)| time), 0.0).at
     }
 
@@ -247,7 +252,7 @@ impl SpanExtremum {
     }
 
     /// The greatest that a value within bounds can be.
-    fn most(&self, bounds: Interval) -> f64 {
+    fn greatest_possible(&self, bounds: Interval) -> f64 {
         match self.sense {
             Sense::Greatest => bounds.high,
             Sense::Least => -bounds.low,
@@ -267,7 +272,7 @@ impl SpanExtremum {
                 return;
             };
             let (bounds, changes) = fitted.bounds(low, high);
-            let most = self.most(bounds[1]);
+            let most = self.greatest_possible(bounds[1]);
             // (Written so that a bound that is no number is looked into.)
             if most <= self.best + CLOSE * self.best.abs() {
                 continue;
@@ -341,7 +346,7 @@ mod tests {
             nodes: Nodes::new(),
         };
         for ends in steps.windows(2) {
-            search.follow([ends[0], ends[1]], true, &mut look);
+            search.search_stretch([ends[0], ends[1]], true, &mut look);
         }
         search.finish()[""].unwrap().value
     }

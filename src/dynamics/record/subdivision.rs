@@ -54,7 +54,7 @@ impl Piece {
     }
 
     fn mean(&self) -> f64 {
-        mean(self.values())
+        mean_of_coefficients(self.values())
     }
 
     fn has_one_sign(&self) -> bool {
@@ -94,7 +94,7 @@ impl Piece {
     }
 
     /// The part over [0, `end`].
-    fn cut(self, end: f64) -> Self {
+    fn part_until(self, end: f64) -> Self {
         if end >= 1.0 {
             return self;
         }
@@ -108,7 +108,7 @@ impl Piece {
 }
 
 /// The mean over [0, 1] of a polynomial in Bernstein form.
-fn mean(coefficients: &[f64]) -> f64 {
+fn mean_of_coefficients(coefficients: &[f64]) -> f64 {
     coefficients.iter().sum::<f64>() / coefficients.len() as f64
 }
 
@@ -135,7 +135,7 @@ fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> Option<(f
     if greatest.fold(f64::MIN, f64::max) <= floor {
         return None;
     }
-    let whole = Piece::new(coefficients, factor).cut(end);
+    let whole = Piece::new(coefficients, factor).part_until(end);
     let rounding = 4.0 * f64::EPSILON * whole.magnitude();
     let (mut best, mut place) = (floor, None);
     let mut pieces = vec![whole];
@@ -164,9 +164,9 @@ fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> Option<(f
 pub(crate) fn integral_of_magnitude(coefficients: &[f64], end: f64) -> f64 {
     // (Without a copy: most often that is all.)
     if end >= 1.0 && of_one_sign(coefficients) {
-        return mean(coefficients).abs() * end;
+        return mean_of_coefficients(coefficients).abs() * end;
     }
-    let whole = Piece::new(coefficients, 1.0).cut(end);
+    let whole = Piece::new(coefficients, 1.0).part_until(end);
     if whole.has_one_sign() {
         return whole.mean().abs() * end;
     }

@@ -203,7 +203,7 @@ impl Tally {
     }
 
     /// Takes a segment into account, of which the object is number `number`.
-    pub(crate) fn take(&mut self, number: usize, segment: &mut dyn Segment) {
+    pub(crate) fn add_segment(&mut self, number: usize, segment: &mut dyn Segment) {
         let asked = |signal, sign| SegmentSignal {
             object: number,
             signal,
@@ -218,7 +218,7 @@ impl Tally {
         if let Some(peak) = &mut self.pressure {
             segment.raise(asked(Signal::Pressure, 1.0), peak);
         }
-        self.take_contact(number, segment);
+        self.add_contact(number, segment);
         if let Some(lift) = &mut self.lift {
             segment.raise(asked(Signal::Clearance, 1.0), lift);
         }
@@ -246,7 +246,7 @@ impl Tally {
         }
     }
 
-    fn take_contact(&mut self, number: usize, segment: &mut dyn Segment) {
+    fn add_contact(&mut self, number: usize, segment: &mut dyn Segment) {
         for peak in self.slack.iter_mut().flatten() {
             let asked = SegmentSignal {
                 object: number,
@@ -270,7 +270,7 @@ impl Tally {
 
     /// The least of what a force may not pass without being greater than before:
     /// of the reaction, and of −N where the pair is rigid and force-closed.
-    pub(crate) fn forces(&self) -> (f64, f64) {
+    pub(crate) fn force_thresholds(&self) -> (f64, f64) {
         let slack = self.slack.iter().flatten().map(|peak| peak.value);
         let reaction = self.peaks[2].value;
         (reaction, slack.fold(f64::INFINITY, f64::min))

@@ -8,7 +8,7 @@
 //! All methods alike are watched. A run that `run.until` ends is made once to its `duration`
 //! and once more to that instant.
 
-use super::fitted::{FittedVariables, NODES, parts};
+use super::fitted::{FittedVariables, NODES, parts_of_stretch};
 use crate::dynamics::audit::fastest_rate;
 use crate::dynamics::model::Model;
 use crate::dynamics::system::ObjectState;
@@ -97,13 +97,13 @@ enum Part {
 }
 
 impl WatchedCondition {
-    fn holds(&self, values: &[f64; VARIABLES]) -> bool {
+    fn condition_holds(&self, values: &[f64; VARIABLES]) -> bool {
         let value = self.expression.at(values);
         value != 0.0 && !value.is_nan()
     }
 
     /// A part of a stretch; `look` gives the variables at an instant.
-    fn follow(
+    fn watch_stretch(
         &mut self,
         [from, to]: [f64; 2],
         nodes: &Nodes<NODES>,
@@ -177,7 +177,7 @@ impl WatchedCondition {
         [low, high]: [f64; 2],
         look: &mut dyn FnMut(f64) -> [f64; VARIABLES],
     ) -> Option<f64> {
-        let mut holds = |time: f64| self.holds(&look(time));
+        let mut holds = |time: f64| self.condition_holds(&look(time));
         if holds(low) {
             return Some(low);
         }
@@ -190,7 +190,7 @@ impl WatchedCondition {
         [from, to]: [f64; 2],
         look: &mut dyn FnMut(f64) -> [f64; VARIABLES],
     ) -> Option<f64> {
-        let mut holds = |time: f64| self.holds(&look(time));
+        let mut holds = |time: f64| self.condition_holds(&look(time));
         let mut before = None;
         for place in 0..=PLACES {
             let time = match place == PLACES {
@@ -243,14 +243,14 @@ impl Watch {
     /// The states of all objects at the start.
     pub(super) fn start(&mut self, time: f64, states: &[ObjectState]) {
         for own in &mut self.watched {
-            let holds = own.holds(&variables(time, &states[own.object]));
+            let holds = own.condition_holds(&variables(time, &states[own.object]));
             own.met = holds.then_some(time);
         }
     }
 
     /// A stretch without switches; `look` gives the state of an object at an instant of it.
     /// `whole`: it may be many vibrations long, else it is a step.
-    pub(super) fn follow(
+    pub(super) fn watch_stretch(
         &mut self,
         [from, to]: [f64; 2],
         whole: bool,
@@ -263,11 +263,11 @@ impl Watch {
         for own in &mut self.watched {
             let object = own.object;
             let mut values = |time: f64| variables(time, &look(time, object));
-            for part in parts([from, to], density) {
+            for part in parts_of_stretch([from, to], density) {
                 if own.met.is_some() {
                     break;
                 }
-                own.follow(part, &self.nodes, &mut values);
+                own.watch_stretch(part, &self.nodes, &mut values);
             }
         }
     }

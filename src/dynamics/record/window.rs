@@ -117,7 +117,7 @@ mod tests {
                 kind: "drive",
                 coordinate: crate::dynamics::model::Coordinate::Turning,
                 nodes: vec![index],
-                inputs: PartInput::only(None),
+                inputs: PartInput::behind_one_driver(None),
                 combination: None,
                 driven_end: None,
                 links: Vec::new(),

@@ -116,7 +116,11 @@ pub(crate) struct Sum(pub(crate) Vec<f64>);
 impl Sum {
     /// The polynomial of least degree with these derivatives (value first) at 0 and at 1 and
     /// through these points; `None`: the conditions do not determine it.
-    pub(crate) fn with(start: &[f64], end: &[f64], through: &[(f64, f64)]) -> Option<Self> {
+    pub(crate) fn polynomial_with_derivatives(
+        start: &[f64],
+        end: &[f64],
+        through: &[(f64, f64)],
+    ) -> Option<Self> {
         let count = start.len() + end.len() + through.len();
         let mut rows = Vec::with_capacity(count);
         for (at_end, values) in [(false, start), (true, end)] {
@@ -237,7 +241,7 @@ mod tests {
             end: vec![1.0, 0.5, 0.0, 3.0],
             through: vec![(0.3, 0.2), (0.8, 0.9)],
         };
-        let own = Sum::with(&spec.start, &spec.end, &spec.through).unwrap();
+        let own = Sum::polynomial_with_derivatives(&spec.start, &spec.end, &spec.through).unwrap();
         let other = EndPolynomial::new(&spec);
         for k in 0..=20 {
             let x = 0.05 * f64::from(k);

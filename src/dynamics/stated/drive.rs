@@ -86,7 +86,7 @@ impl StatedDrive {
         match self {
             Self::Formula(formula) => Some(formula.0.at(time)),
             Self::Own(motion) => {
-                let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
+                let jet = motion.jet(motion.breaks().segment_at(time, 1.0), time);
                 Some(Local::new(jet.value, jet.first, jet.second))
             }
             Self::Unknown(_) => None,
@@ -128,14 +128,16 @@ impl Form {
                 unit.scale(way).shift(*angle)
             }
             Self::Plan(plan) => plan.at(time),
-            Self::Written { expression, factor } => written(expression, time).scale(*factor),
+            Self::Written { expression, factor } => {
+                evaluate_expression(expression, time).scale(*factor)
+            }
             Self::Curve(curve) => curve.at(time),
         }
     }
 }
 
 /// An expression of time, evaluated as it stands: every condition is looked at anew.
-fn written(expression: &Expression, time: f64) -> Local {
+fn evaluate_expression(expression: &Expression, time: f64) -> Local {
     let at = Third::variable(time);
     let jet = expression.program().value.evaluate(&[at], &|_| OPEN).0;
     Local::new(jet.value, jet.first, jet.second)
@@ -181,7 +183,7 @@ mod tests {
             for k in 0..60 {
                 let time = 0.0137 + 0.02 * f64::from(k);
                 let own = own.at(time).unwrap();
-                let other = other.jet(other.breaks().locate(time, 1.0), time);
+                let other = other.jet(other.breaks().segment_at(time, 1.0), time);
                 approx::assert_abs_diff_eq!(own.value, other.value, epsilon = 1e-12);
                 approx::assert_abs_diff_eq!(own.first, other.first, epsilon = 1e-11);
                 approx::assert_abs_diff_eq!(own.second, other.second, epsilon = 1e-9);

@@ -124,7 +124,7 @@ impl Sections {
 }
 
 fn polynomial(spec: &PolynomialSpec) -> Option<StatedLaw> {
-    let sum = Sum::with(&spec.start, &spec.end, &spec.through)?;
+    let sum = Sum::polynomial_with_derivatives(&spec.start, &spec.end, &spec.through)?;
     Some(StatedLaw::Polynomial(sum))
 }
 

@@ -64,15 +64,15 @@ impl StatedLoad {
     ) -> f64 {
         match self {
             Self::Constant(force) => *force,
-            Self::OverTime(points) => between(points, time),
-            Self::OverSpeed(points) => between(points, own.1),
-            Self::OverDriver(points, None) => between(points, driver.0),
+            Self::OverTime(points) => interpolate(points, time),
+            Self::OverSpeed(points) => interpolate(points, own.1),
+            Self::OverDriver(points, None) => interpolate(points, driver.0),
             Self::OverDriver(points, Some(period)) => {
                 let first = points[0];
                 let x = first.0 + (driver.0 - first.0).rem_euclid(*period);
                 let mut closed = points.clone();
                 closed.push((first.0 + period, first.1));
-                between(&closed, x)
+                interpolate(&closed, x)
             }
             Self::Window {
                 between: [from, to],
@@ -100,7 +100,7 @@ impl StatedLoad {
 }
 
 /// Straight between points, constant outside.
-fn between(points: &[(f64, f64)], x: f64) -> f64 {
+fn interpolate(points: &[(f64, f64)], x: f64) -> f64 {
     let above = points.iter().position(|point| point.0 > x);
     match above {
         Some(0) => points[0].1,

@@ -44,7 +44,7 @@ impl Local {
     }
 
     /// f of it, for a function given by its derivatives at the value.
-    fn through(self, [value, first, second]: [f64; 3]) -> Self {
+    fn composed_with(self, [value, first, second]: [f64; 3]) -> Self {
         Self::new(
             value,
             first * self.first,
@@ -54,28 +54,28 @@ impl Local {
 
     pub(super) fn sin(self) -> Self {
         let (sin, cos) = self.value.sin_cos();
-        self.through([sin, cos, -sin])
+        self.composed_with([sin, cos, -sin])
     }
 
     pub(super) fn cos(self) -> Self {
         let (sin, cos) = self.value.sin_cos();
-        self.through([cos, -sin, -cos])
+        self.composed_with([cos, -sin, -cos])
     }
 
     pub(super) fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.through([root, 0.5 / root, -0.25 / (root * root * root)])
+        self.composed_with([root, 0.5 / root, -0.25 / (root * root * root)])
     }
 
     pub(super) fn inverse(self) -> Self {
         let x = self.value;
-        self.through([1.0 / x, -1.0 / (x * x), 2.0 / (x * x * x)])
+        self.composed_with([1.0 / x, -1.0 / (x * x), 2.0 / (x * x * x)])
     }
 
     pub(super) fn acos(self) -> Self {
         let x = self.value;
         let rest = (1.0 - x * x).sqrt();
-        self.through([x.acos(), -1.0 / rest, -x / (rest * rest * rest)])
+        self.composed_with([x.acos(), -1.0 / rest, -x / (rest * rest * rest)])
     }
 
     /// Angle of the vector (x, y).

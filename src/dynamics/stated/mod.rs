@@ -20,7 +20,7 @@ pub(crate) use drive::StatedDrive;
 pub(crate) use load::StatedLoad;
 pub(crate) use local::differentiate;
 pub(crate) use position::StatedPosition;
-pub(crate) use position::nearest;
+pub(crate) use position::nearest_by_turns;
 
 use std::collections::BTreeMap;
 

@@ -254,7 +254,7 @@ mod tests {
         for k in -30..60 {
             let x = 0.0137 + 0.1 * f64::from(k);
             let own = own.at(x);
-            let other = other.jet(other.breaks().locate(x, 1.0), x);
+            let other = other.jet(other.breaks().segment_at(x, 1.0), x);
             approx::assert_abs_diff_eq!(own.value, other.value, epsilon = 1e-11);
             approx::assert_abs_diff_eq!(own.first, other.first, epsilon = 1e-10);
             approx::assert_abs_diff_eq!(own.second, other.second, epsilon = 1e-8);

@@ -132,7 +132,7 @@ impl StatedPosition {
 
     /// A position function that no text states: its formula where that is plain, else its
     /// values.
-    pub(crate) fn own(position: &Position) -> Self {
+    pub(crate) fn of_unstated_position(position: &Position) -> Self {
         match position {
             Position::Ratio { ratio, offset } => {
                 Self::Formula(Formula(Form::Polynomial(vec![*offset, *ratio])))
@@ -156,7 +156,11 @@ impl StatedPosition {
         match self {
             Self::Formula(formula) => Some((formula.0.at(phi), [0.0; 2])),
             Self::Values(position) => {
-                let value = |phi| position.jet(position.breaks().locate(phi, 1.0), phi).value;
+                let value = |phi| {
+                    position
+                        .jet(position.breaks().segment_at(phi, 1.0), phi)
+                        .value
+                };
                 Some(differentiate(value, phi, REACH))
             }
             Self::Unknown(_) => None,
@@ -164,7 +168,7 @@ impl StatedPosition {
     }
 
     /// What is left out of its value: whole turns of a linkage.
-    pub(crate) fn turn(&self) -> Option<f64> {
+    pub(crate) fn whole_turn(&self) -> Option<f64> {
         match self {
             Self::Formula(Formula(Form::FourBar { .. } | Form::SlottedLink(_))) => Some(TAU),
             Self::Formula(_) | Self::Values(_) | Self::Unknown(_) => None,
@@ -279,13 +283,13 @@ fn slotted_link(spec: &SlottedLinkSpec, input: Local) -> Local {
 }
 
 /// A value moved by whole turns to where it is nearest to another one.
-pub(crate) fn nearest(value: f64, turn: f64, other: f64) -> f64 {
+pub(crate) fn nearest_by_turns(value: f64, turn: f64, other: f64) -> f64 {
     value + turn * ((other - value) / turn).round()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{StatedPosition, TAU, nearest};
+    use super::{StatedPosition, TAU, nearest_by_turns};
     use crate::kinematics::motion::LawName;
     use crate::kinematics::position::{
         CamSpec, Position, PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput,
@@ -296,9 +300,9 @@ mod tests {
         for k in -40..40 {
             let phi = places(0.0131 + 0.25 * f64::from(k));
             let (mut own_there, _) = own.at(phi).unwrap();
-            let other = other.jet(other.breaks().locate(phi, 1.0), phi);
-            if let Some(turn) = own.turn() {
-                own_there.value = nearest(own_there.value, turn, other.value);
+            let other = other.jet(other.breaks().segment_at(phi, 1.0), phi);
+            if let Some(turn) = own.whole_turn() {
+                own_there.value = nearest_by_turns(own_there.value, turn, other.value);
             }
             let scale = 1.0 + other.second.abs();
             approx::assert_abs_diff_eq!(own_there.value, other.value, epsilon = 1e-12);

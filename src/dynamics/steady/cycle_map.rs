@@ -7,7 +7,7 @@
 
 mod regime;
 
-use super::extrapolation::{attempt, follow};
+use super::extrapolation::{attempt_step, integrate_stretch};
 use super::given::FunctionKind;
 use super::motion::SteadyMotion;
 use super::profile::Profile;
@@ -108,13 +108,13 @@ impl Machine<'_> {
     }
 
     /// Follows a stretch of a piece, broken where the speed meets a kink.
-    fn stretch(&self, piece: usize, ends: [f64; 2], state: &mut State) -> Result<(), f64> {
+    fn follow_stretch(&self, piece: usize, ends: [f64; 2], state: &mut State) -> Result<(), f64> {
         let mut f = |position: f64, state: &State| self.rates(piece, position, state);
         let [mut at, to] = ends;
         let mut crossings = 0;
         while at < to {
             let mut next = *state;
-            follow(&mut f, [at, to], &mut next, TOLERANCE)?;
+            integrate_stretch(&mut f, [at, to], &mut next, TOLERANCE)?;
             let before = self.band(self.speed(piece, at, state[0]));
             let after = self.band(self.speed(piece, to, next[0]));
             // A speed that stays on a kink crosses it by rounding without end.
@@ -125,7 +125,7 @@ impl Machine<'_> {
             // The first kink on the way: to its place, and on behind it.
             let kink = self.kinks[if after > before { before } else { before - 1 }];
             let mut miss =
-                |position: f64| match attempt(&mut f, at, position - at, state, TOLERANCE) {
+                |position: f64| match attempt_step(&mut f, at, position - at, state, TOLERANCE) {
                     Some((found, _)) => self.speed(piece, position, found[0]) - kink,
                     None => f64::NAN,
                 };
@@ -134,10 +134,10 @@ impl Machine<'_> {
                 true if found.at > at => found.at,
                 _ => 0.5 * (at + to),
             };
-            follow(&mut f, [at, place.min(to)], state, TOLERANCE)?;
+            integrate_stretch(&mut f, [at, place.min(to)], state, TOLERANCE)?;
             // Just behind the kink, so that it is not met again at once.
             let behind = (place + 1e-13 * self.cycle).min(to);
-            follow(&mut f, [place.min(to), behind], state, TOLERANCE)?;
+            integrate_stretch(&mut f, [place.min(to), behind], state, TOLERANCE)?;
             at = behind;
             crossings += 1;
         }
@@ -163,7 +163,7 @@ impl Machine<'_> {
     ///
     /// # Errors
     /// The machine stalls.
-    fn follow(
+    fn follow_cycle(
         &self,
         energy: f64,
         mut seen: impl FnMut(usize, [f64; 2], f64),
@@ -173,7 +173,7 @@ impl Machine<'_> {
         for (piece, ends) in self.pieces() {
             for ends in self.stretches(ends) {
                 seen(piece, ends, state[0]);
-                self.stretch(piece, ends, &mut state)
+                self.follow_stretch(piece, ends, &mut state)
                     .map_err(|position| Refusal::Stalls {
                         position,
                         speed: start,
@@ -192,7 +192,7 @@ impl Machine<'_> {
     /// # Errors
     /// The machine stalls, at a position.
     pub fn cycle(&self, energy: f64) -> Result<CycleEnd, Refusal> {
-        self.follow(energy, |_, _, _| {})
+        self.follow_cycle(energy, |_, _, _| {})
     }
 
     /// T at a position, from the states kept along a regime.
@@ -200,14 +200,17 @@ impl Machine<'_> {
         let below = grid.partition_point(|entry| entry.1 <= position).max(1) - 1;
         let (piece, from, energy) = grid[below];
         let mut state = [energy, 0.0, 0.0];
-        let reached = position <= from || self.stretch(piece, [from, position], &mut state).is_ok();
+        let reached = position <= from
+            || self
+                .follow_stretch(piece, [from, position], &mut state)
+                .is_ok();
         reached.then_some(state[0])
     }
 
     /// Piece, place and T at the start of every stretch of a regime.
     fn grid(&self, regime: &Regime) -> Result<Vec<(usize, f64, f64)>, Refusal> {
         let mut grid = Vec::new();
-        self.follow(regime.energy, |piece, [from, _], energy| {
+        self.follow_cycle(regime.energy, |piece, [from, _], energy| {
             grid.push((piece, from, energy));
         })?;
         Ok(grid)
@@ -250,9 +253,9 @@ impl Machine<'_> {
     /// functions of the position, its mean over time asked for.
     ///
     /// # Errors
-    /// As [`Machine::profile`] and [`motion::steady`].
+    /// As [`Machine::profile`] and [`motion::find_steady_motion`].
     pub fn motion(&self, regime: &Regime) -> Result<SteadyMotion, Refusal> {
-        motion::steady(&self.profile(regime)?, &Question::new(regime.mean_speed))
+        motion::find_steady_motion(&self.profile(regime)?, &Question::new(regime.mean_speed))
     }
 }
 

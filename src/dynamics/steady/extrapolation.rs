@@ -19,7 +19,7 @@ pub(super) type Rates<'a, const N: usize> = &'a mut dyn FnMut(f64, &[f64; N]) ->
 ///
 /// # Errors
 /// The place at which no step is short enough: the state leaves what is allowed.
-pub(super) fn follow<const N: usize>(
+pub(super) fn integrate_stretch<const N: usize>(
     f: Rates<'_, N>,
     [from, to]: [f64; 2],
     state: &mut [f64; N],
@@ -33,7 +33,7 @@ pub(super) fn follow<const N: usize>(
         }
         let last = at + step >= to - 0.25 * least;
         let length = if last { to - at } else { step };
-        match attempt(f, at, length, state, tolerance) {
+        match attempt_step(f, at, length, state, tolerance) {
             Some((next, columns)) => {
                 *state = next;
                 at = if last { to } else { at + length };
@@ -56,7 +56,7 @@ pub(super) fn follow<const N: usize>(
 
 /// One step, with the number of midpoint rules it took; `None` when they do
 /// not agree.
-pub(super) fn attempt<const N: usize>(
+pub(super) fn attempt_step<const N: usize>(
     f: Rates<'_, N>,
     at: f64,
     length: f64,
@@ -116,13 +116,13 @@ fn midpoint<const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::follow;
+    use super::integrate_stretch;
 
     #[test]
     fn an_oscillation_comes_back_to_rounding() {
         let mut state = [1.0, 0.0];
         let mut f = |_: f64, y: &[f64; 2]| Some([y[1], -y[0]]);
-        follow(&mut f, [0.0, 20.0], &mut state, 1e-13).unwrap();
+        integrate_stretch(&mut f, [0.0, 20.0], &mut state, 1e-13).unwrap();
         approx::assert_abs_diff_eq!(state[0], 20f64.cos(), epsilon = 2e-12);
         approx::assert_abs_diff_eq!(state[1], -20f64.sin(), epsilon = 2e-12);
     }
@@ -131,7 +131,7 @@ mod tests {
     fn the_place_where_a_state_ends_is_found() {
         // y² = 1 − x.
         let mut f = |_: f64, y: &[f64; 1]| (y[0] > 0.0).then(|| [-0.5 / y[0]]);
-        let end = follow(&mut f, [0.0, 2.0], &mut [1.0], 1e-12).unwrap_err();
+        let end = integrate_stretch(&mut f, [0.0, 2.0], &mut [1.0], 1e-12).unwrap_err();
         approx::assert_abs_diff_eq!(end, 1.0, epsilon = 1e-9);
     }
 }

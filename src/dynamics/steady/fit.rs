@@ -32,7 +32,7 @@ struct Open {
 }
 
 /// Fits panels to a cycle that the `breaks` (ascending, inside) cut into pieces.
-pub(super) fn fit(
+pub(super) fn fit_panels(
     cycle: f64,
     breaks: &[f64],
     given: FunctionKind,
@@ -41,15 +41,18 @@ pub(super) fn fit(
     let mut open = first_panels(cycle, breaks);
     let mut sizes = [0.0f64; 2];
     for panel in &open {
-        for (sum, value) in sizes.iter_mut().zip(sampled(panel, at)?) {
+        for (sum, value) in sizes.iter_mut().zip(sample_panel(panel, at)?) {
             *sum = value.iter().fold(*sum, |size, v| size.max(v.abs()));
         }
     }
     let mut done = Vec::new();
     while let Some(panel) = open.pop() {
-        let values = sampled(&panel, at)?;
-        let series = values.map(|values| NODES.fit(&values));
-        let tails = [tail(&series[0]), tail(&series[1])];
+        let values = sample_panel(&panel, at)?;
+        let series = values.map(|values| NODES.polynomial_through(&values));
+        let tails = [
+            size_of_highest_terms(&series[0]),
+            size_of_highest_terms(&series[1]),
+        ];
         let settled = (0..2).all(|i| {
             let (tail, before) = (tails[i] / sizes[i], panel.before[i] / sizes[i]);
             sizes[i] == 0.0 || tail <= CONVERGED || before <= NOISE && tail > 0.1 * before
@@ -60,7 +63,7 @@ pub(super) fn fit(
                     position: panel.from,
                 });
             }
-            halve(&panel, tails, &mut open);
+            halve_panel(&panel, tails, &mut open);
             continue;
         }
         if !settled && given == FunctionKind::Work && tails[1] > 1e-9 * sizes[1] {
@@ -105,7 +108,7 @@ fn first_panels(cycle: f64, breaks: &[f64]) -> Vec<Open> {
     open
 }
 
-fn halve(panel: &Open, tails: [f64; 2], open: &mut Vec<Open>) {
+fn halve_panel(panel: &Open, tails: [f64; 2], open: &mut Vec<Open>) {
     let middle = 0.5 * (panel.from + panel.to);
     for (from, to) in [(middle, panel.to), (panel.from, middle)] {
         open.push(Open {
@@ -119,7 +122,7 @@ fn halve(panel: &Open, tails: [f64; 2], open: &mut Vec<Open>) {
 }
 
 /// Both functions at the nodes of a panel; refused where they are no numbers.
-fn sampled(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
+fn sample_panel(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
     let (centre, half) = (0.5 * (panel.from + panel.to), 0.5 * (panel.to - panel.from));
     let mut values = [[0.0; COUNT]; 2];
     for (k, x) in NODES.places.into_iter().enumerate() {
@@ -137,7 +140,7 @@ fn sampled(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
 }
 
 /// Size of the highest terms.
-fn tail(series: &Series) -> f64 {
+fn size_of_highest_terms(series: &Series) -> f64 {
     series[COUNT - 3..]
         .iter()
         .fold(0.0, |size, c| size.max(c.abs()))

@@ -1,7 +1,7 @@
 //! The flywheel for a required coefficient of fluctuation.
 
 use super::law::{Question, SteadyFigures};
-use super::motion::{SteadyMotion, steady};
+use super::motion::{SteadyMotion, find_steady_motion};
 use super::profile::Profile;
 use super::refusal::Refusal;
 use super::table::Table;
@@ -84,7 +84,7 @@ pub trait Motion {
     ///
     /// # Errors
     /// The inertia left is not above zero.
-    fn bare(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal>;
+    fn work_range_without(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal>;
 }
 
 impl Motion for SteadyMotion {
@@ -92,7 +92,7 @@ impl Motion for SteadyMotion {
         &self.figures
     }
 
-    fn bare(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal> {
+    fn work_range_without(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal> {
         let bare = self.profile().with_inertia(-inertia)?;
         let tangents = by_tangents(&bare, fluctuation, self.figures.mean_speed);
         Ok([bare.range(), bare.least_inertia().value, tangents])
@@ -104,7 +104,7 @@ impl Motion for TableMotion {
         &self.figures.steady
     }
 
-    fn bare(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal> {
+    fn work_range_without(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal> {
         let bare = self.table().with_inertia(-inertia);
         let tangents = bare.by_tangents(fluctuation, self.figures.steady.mean_speed);
         Ok([bare.range(), bare.least_inertia(), tangents])
@@ -114,14 +114,14 @@ impl Motion for TableMotion {
 /// The same on samples.
 ///
 /// # Errors
-/// As [`size`].
+/// As [`size_flywheel`].
 pub fn size_of_table(
     table: &Table,
     question: &Question,
     fluctuation: f64,
 ) -> Result<(Flywheel, TableMotion), Refusal> {
     question.check()?;
-    let with = |inertia: f64| match table.with_inertia(inertia).steady(question) {
+    let with = |inertia: f64| match table.with_inertia(inertia).find_steady_motion(question) {
         Ok(motion) => Ok(Some(motion)),
         Err(Refusal::TooSlow { .. }) => Ok(None),
         Err(refusal) => Err(refusal),
@@ -135,13 +135,13 @@ pub fn size_of_table(
 /// # Errors
 /// δ is not between 0 and 2, or the steady motion is refused for another reason
 /// than for stopping.
-pub fn size(
+pub fn size_flywheel(
     profile: &Profile,
     question: &Question,
     fluctuation: f64,
 ) -> Result<(Flywheel, SteadyMotion), Refusal> {
     question.check()?;
-    let with = |inertia: f64| match steady(&profile.with_inertia(inertia)?, question) {
+    let with = |inertia: f64| match find_steady_motion(&profile.with_inertia(inertia)?, question) {
         Ok(motion) => Ok(Some(motion)),
         Err(Refusal::TooSlow { .. }) => Ok(None),
         Err(refusal) => Err(refusal),
@@ -159,7 +159,7 @@ const NEAR: f64 = 1e-12;
 /// one asked for, of it.
 ///
 /// # Errors
-/// As [`size`].
+/// As [`size_flywheel`].
 pub fn inertia_for(
     delta: Fluctuation<'_>,
     wanted: f64,
@@ -182,7 +182,7 @@ pub fn inertia_for(
 /// is a guess of the inertia (kg·m²), > 0.
 ///
 /// # Errors
-/// As [`size`].
+/// As [`size_flywheel`].
 pub fn size_of<M: Motion>(
     with: WithInertia<'_, M>,
     fluctuation: f64,
@@ -209,7 +209,7 @@ fn approximations<M: Motion>(
     inertia: f64,
 ) -> Result<Vec<Approximation>, Refusal> {
     let speed = motion.figures().mean_speed;
-    let [range, least, tangents] = motion.bare(inertia, fluctuation)?;
+    let [range, least, tangents] = motion.work_range_without(inertia, fluctuation)?;
     let energy = by_energy(range, fluctuation, speed);
     let estimates = [
         ("energy", "fluctuation of energy, no other inertia", energy),

@@ -33,7 +33,7 @@ impl Formula {
 
     /// How it repeats, where its operations prove it.
     pub(super) fn repetition(&self) -> Option<Repetition> {
-        Repetition::through(self.0.program(), &|_| Some(Repetition::Line(1.0)))
+        Repetition::repetition_of_program(self.0.program(), &|_| Some(Repetition::Line(1.0)))
     }
 
     /// True where it is written in pieces of one cycle: `phi < pi ? sin(phi) : 0`.

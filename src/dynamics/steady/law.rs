@@ -180,7 +180,7 @@ pub(super) trait Family {
     /// The mean at a level (J).
     fn mean_speed(&self, level: f64, mean: Mean) -> f64;
     /// The mean at level 0; 0 when the time for a cycle grows without limit.
-    fn lowest(&self, mean: Mean) -> f64;
+    fn mean_at_level_zero(&self, mean: Mean) -> f64;
     /// Least and greatest J.
     fn inertia(&self) -> [f64; 2];
     /// Greatest rise, and the rise at the least J.
@@ -223,7 +223,7 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
     let mut low = least - rise;
     let mut iterations = 0;
     if low <= 0.0 {
-        let lowest = family.lowest(mean);
+        let lowest = family.mean_at_level_zero(mean);
         if !(lowest < wanted) {
             return Err(too_slow(lowest));
         }

@@ -6,7 +6,7 @@
 //!
 //! * [`Profile`]: J and M as functions of the position, followed to rounding by
 //!   polynomials; [`Table`]: the same as samples.
-//! * [`steady`]: forces that depend on the position alone. Every speed level is
+//! * [`find_steady_motion`]: forces that depend on the position alone. Every speed level is
 //!   periodic; the mean speed asked for selects one ([`Mean`]: over time, over
 //!   the angle, or midway between the extremes). The energy-mass method.
 //! * [`cycle_map`]: moments that depend on speed, such as a motor's
@@ -45,7 +45,7 @@ mod table_motion;
 pub use formula::Formula;
 pub use given::FunctionKind;
 pub use law::{Means, Question, SteadyFigures};
-pub use motion::{Check, Row, SteadyMotion, steady};
+pub use motion::{Check, Row, SteadyMotion, find_steady_motion};
 pub use panel::Point;
 pub use profile::{Extreme, MOST_TURNS, Profile};
 pub use refusal::{Field, Refusal};

@@ -1,7 +1,7 @@
 //! The steady motion on functions of the position.
 
 use super::Mean;
-use super::extrapolation::follow;
+use super::extrapolation::integrate_stretch;
 use super::law::{Family, Level, Means, Question, SteadyFigures, find, warnings};
 use super::panel::Panel;
 use super::profile::{Extreme, Profile};
@@ -52,9 +52,9 @@ pub struct Check {
 ///
 /// # Errors
 /// There is none: see [`Refusal`].
-pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Refusal> {
+pub fn find_steady_motion(profile: &Profile, question: &Question) -> Result<SteadyMotion, Refusal> {
     question.check()?;
-    let (surplus, range) = (profile.surplus(), profile.range());
+    let (surplus, range) = (profile.work_of_cycle(), profile.range());
     let balance = question.balance(surplus, [range, profile.rounding()], profile.cycle())?;
     let profile = match balance {
         Some(moment) => profile.with_moment(moment)?,
@@ -90,17 +90,17 @@ impl Profile {
     }
 
     /// A speed that belongs to a level.
-    fn usual(&self, level: f64) -> f64 {
+    fn usual_speed(&self, level: f64) -> f64 {
         (2.0 * (level + self.range()) / self.least_inertia().value).sqrt()
     }
 
     fn period(&self, level: f64) -> Area {
-        let size = self.cycle() / self.usual(level);
+        let size = self.cycle() / self.usual_speed(level);
         self.sum(level, size, |speed| 1.0 / speed)
     }
 
     fn mean_over_angle(&self, level: f64) -> f64 {
-        let size = self.cycle() * self.usual(level);
+        let size = self.cycle() * self.usual_speed(level);
         self.sum(level, size, |speed| speed).value / self.cycle()
     }
 
@@ -132,7 +132,7 @@ impl Family for Profile {
         }
     }
 
-    fn lowest(&self, mean: Mean) -> f64 {
+    fn mean_at_level_zero(&self, mean: Mean) -> f64 {
         if mean != Mean::Time {
             return Family::mean_speed(self, 0.0, mean);
         }
@@ -203,7 +203,7 @@ impl SteadyMotion {
             greatest_speed,
             fluctuation: (greatest_speed.value - least_speed.value) / question.mean_speed,
             energy_fluctuation: range,
-            cycle_work: profile.surplus(),
+            cycle_work: profile.work_of_cycle(),
             balance: None,
             iterations: 0,
             bracket: [0.0; 2],
@@ -328,7 +328,7 @@ impl SteadyMotion {
                 let rate = (point.moment - braking) / (point.inertia * speed);
                 (*speed > 0.0).then_some([sense * rate, 1.0 / speed])
             };
-            follow(&mut rates, [0.0, high - low], &mut own, 1e-13).ok()?;
+            integrate_stretch(&mut rates, [0.0, high - low], &mut own, 1e-13).ok()?;
             state = Some(own);
         }
         state.or_else(|| Some([self.speed(from), 0.0]))

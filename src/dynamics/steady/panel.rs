@@ -86,12 +86,12 @@ impl Panel {
     }
 
     /// The panel's polynomials on a part of it.
-    pub(super) fn cut(&self, from: f64, to: f64) -> Self {
+    pub(super) fn part_between(&self, from: f64, to: f64) -> Self {
         let places = NODES
             .places
             .map(|x| 0.5 * (from + to) + 0.5 * (to - from) * x);
         let refit = |series: &Series| {
-            NODES.fit(&places.map(|place| chebyshev::value(series, self.x(place))))
+            NODES.polynomial_through(&places.map(|place| chebyshev::value(series, self.x(place))))
         };
         Self {
             from,
@@ -118,7 +118,7 @@ impl Panel {
         }
     }
 
-    pub(super) fn work(&self) -> f64 {
+    pub(super) fn work_over_panel(&self) -> f64 {
         self.half() * chebyshev::definite_integral(&self.moment)
     }
 

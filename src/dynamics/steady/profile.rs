@@ -1,6 +1,6 @@
 //! The machine reduced to its input link: J(φ), M(φ) and the work over a cycle.
 
-use super::fit::fit;
+use super::fit::fit_panels;
 use super::given::FunctionKind;
 use super::panel::COUNT;
 use super::panel::{Panel, Point, SignedPoint, panel};
@@ -72,13 +72,13 @@ impl Profile {
             let message = "the breaks do not ascend within the cycle";
             return Err(Refusal::field("breaks", message, ""));
         }
-        let panels = fit(cycle, breaks, given, at)?;
+        let panels = fit_panels(cycle, breaks, given, at)?;
         let panels = panels.into_iter().map(|fitted| panel(fitted, given));
         Self::of(cycle, panels.collect())
     }
 
     fn of(cycle: f64, panels: Vec<Panel>) -> Result<Self, Refusal> {
-        let surplus = panels.iter().map(Panel::work).sum();
+        let surplus = panels.iter().map(Panel::work_over_panel).sum();
         let mut profile = Self {
             cycle,
             panels,
@@ -122,7 +122,7 @@ impl Profile {
         let mut base = 0.0;
         for panel in &mut self.panels {
             panel.count(base, false);
-            base += panel.work();
+            base += panel.work_over_panel();
         }
     }
 
@@ -148,13 +148,13 @@ impl Profile {
             let inside = cuts.iter().filter(|&&c| c > panel.from && c < panel.to);
             let mut from = panel.from;
             for &cut in inside {
-                panels.push(panel.cut(from, cut));
+                panels.push(panel.part_between(from, cut));
                 from = cut;
             }
             panels.push(if from == panel.from {
                 panel.clone()
             } else {
-                panel.cut(from, panel.to)
+                panel.part_between(from, panel.to)
             });
         }
         self.panels = panels;
@@ -166,12 +166,12 @@ impl Profile {
         let mut base = 0.0;
         for panel in &mut self.panels[middle..] {
             panel.count(base, false);
-            base += panel.work();
+            base += panel.work_over_panel();
         }
         base = 0.0;
         for panel in self.panels[..middle].iter_mut().rev() {
             panel.count(base, true);
-            base -= panel.work();
+            base -= panel.work_over_panel();
         }
     }
 
@@ -213,7 +213,7 @@ impl Profile {
     }
 
     /// A(Φ): the work of all forces in a cycle (J).
-    pub fn surplus(&self) -> f64 {
+    pub fn work_of_cycle(&self) -> f64 {
         self.surplus
     }
 

@@ -60,7 +60,7 @@ fn cycles(name: &str, formula: &Formula, may_grow: bool, least: f64) -> Result<F
         Some(Repetition::Line(slope)) if may_grow || slope == 0.0 => whole(least),
         Some(Repetition::Cycles { period, advance }) if may_grow || advance == 0.0 => whole(period),
         Some(_) => None,
-        None => tried(formula, may_grow, least)
+        None => least_repetition(formula, may_grow, least)
             .or_else(|| (formula.is_in_pieces() && closes(name, formula, least)).then_some(1.0))
             .and_then(Fraction::of),
     };
@@ -75,7 +75,7 @@ fn closes(name: &str, formula: &Formula, least: f64) -> bool {
 }
 
 /// The least number of cycles after which a function repeats at all places that are tried.
-fn tried(formula: &Formula, may_grow: bool, least: f64) -> Option<f64> {
+fn least_repetition(formula: &Formula, may_grow: bool, least: f64) -> Option<f64> {
     let repeats = |count: &u32| {
         let angle = f64::from(*count) * least;
         let places =

@@ -130,7 +130,7 @@ impl Table {
     }
 
     /// The table with a moment, or a moment of inertia, added.
-    pub(super) fn with(&self, moment: f64, inertia: f64) -> Self {
+    pub(super) fn with_moment_and_inertia(&self, moment: f64, inertia: f64) -> Self {
         let mut table = self.clone();
         let first = self.positions[0];
         for (work, position) in table.work.iter_mut().zip(&self.positions) {
@@ -144,7 +144,7 @@ impl Table {
     /// The table with a constant moment of inertia added.
     #[must_use]
     pub fn with_inertia(&self, inertia: f64) -> Self {
-        self.with(0.0, inertia)
+        self.with_moment_and_inertia(0.0, inertia)
     }
 
     /// Φ (rad).
@@ -153,7 +153,7 @@ impl Table {
     }
 
     /// A(Φ) (J).
-    pub fn surplus(&self) -> f64 {
+    pub fn work_of_cycle(&self) -> f64 {
         self.surplus
     }
 
@@ -229,7 +229,7 @@ impl Family for Table {
         }
     }
 
-    fn lowest(&self, mean: Mean) -> f64 {
+    fn mean_at_level_zero(&self, mean: Mean) -> f64 {
         Family::mean_speed(self, 0.0, mean)
     }
 

@@ -50,7 +50,7 @@ impl Table {
     ///
     /// # Errors
     /// There is none: see [`Refusal`].
-    pub fn steady(&self, question: &Question) -> Result<TableMotion, Refusal> {
+    pub fn find_steady_motion(&self, question: &Question) -> Result<TableMotion, Refusal> {
         let mut motion = self.solve(question)?;
         let half = self.halved().and_then(|half| half.solve(question).ok());
         motion.figures.halving = half.map(|half| {
@@ -68,7 +68,7 @@ impl Table {
     fn solve(&self, question: &Question) -> Result<TableMotion, Refusal> {
         question.check()?;
         let balance = question.balance(self.surplus, [self.range(), 0.0], self.cycle)?;
-        let table = self.with(balance.unwrap_or(0.0), 0.0);
+        let table = self.with_moment_and_inertia(balance.unwrap_or(0.0), 0.0);
         // Near stalling the figures amplify what the mean is off, and another mean of
         // samples costs next to nothing.
         let finest = Question {

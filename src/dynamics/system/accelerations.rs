@@ -37,14 +37,14 @@ impl Frozen {
                     let chain = &self.chains[*index];
                     let base = self.law_acceleration(chain.law, work);
                     let mode = work.pair_modes[*index];
-                    if chain.contact.holds(mode) {
+                    if chain.contact.contact_holds(mode) {
                         self.accelerate_held(*index, base, work, out);
                         continue;
                     }
                     let reaction = work.reaction[*index];
                     self.accelerate_chain(chain, state, ([base, reaction], mode), work, out);
                     if self.impacts {
-                        self.ground(*index, base, work, out);
+                        self.hold_by_stop(*index, base, work, out);
                     }
                 }
                 Step::Constrained(index) => {
@@ -72,10 +72,10 @@ impl Frozen {
     }
 
     /// Holds the last mass of a chain where a rigid stop does.
-    fn ground<N: Quantity>(&self, index: usize, base: N, work: &mut Work<N>, out: &mut [N]) {
+    fn hold_by_stop<N: Quantity>(&self, index: usize, base: N, work: &mut Work<N>, out: &mut [N]) {
         let chain = &self.chains[index];
         for (number, stop) in self.stops.iter().enumerate() {
-            if stop.chain != index || !stop.contact.holds(work.stop_modes[number]) {
+            if stop.chain != index || !stop.contact.contact_holds(work.stop_modes[number]) {
                 continue;
             }
             let coordinate = chain.first_coordinate + (stop.node - chain.first_node);
@@ -87,13 +87,13 @@ impl Frozen {
 
     /// True of a chain that a rigid contact holds on its law, as of the last evaluation.
     pub(super) fn is_held<N>(&self, index: usize, work: &Work<N>) -> bool {
-        (self.chains[index].contact).holds(work.pair_modes[index])
+        (self.chains[index].contact).contact_holds(work.pair_modes[index])
     }
 
     /// True of a mass that a rigid stop holds, as of the last evaluation.
     pub(super) fn is_grounded<N>(&self, node: usize, work: &Work<N>) -> bool {
         let mut stops = self.stops.iter().zip(&work.stop_modes);
-        stops.any(|(stop, &mode)| stop.node == node && stop.contact.holds(mode))
+        stops.any(|(stop, &mode)| stop.node == node && stop.contact.contact_holds(mode))
     }
 
     /// Accelerations of the nodes from u¨ of the coordinates, as far as
@@ -156,11 +156,11 @@ impl Frozen {
         let other = &work.force[chain.nodes()][skip..];
         if chain.carries {
             let mass = &work.mass[chain.nodes()][skip..];
-            links.each(&mut out[skip..], |m, out, force| {
+            links.for_each_mass(&mut out[skip..], |m, out, force| {
                 *out = (other[m] + force) / mass[m] - base
             });
         } else {
-            links.each(&mut out[skip..], |m, out, force| {
+            links.for_each_mass(&mut out[skip..], |m, out, force| {
                 *out = (other[m] + force).scale(inverse[m]) - base;
             });
         }

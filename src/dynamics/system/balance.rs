@@ -244,7 +244,7 @@ impl Frozen {
         miss: &mut [N],
     ) {
         let chain = &self.chains[index];
-        let rests = self.rests(index, modes);
+        let rests = self.lies_on_stop(index, modes);
         if rests && let Some(stop) = self.rigid_rest(index, modes) {
             return self.deflect_to_stop(index, stop, state, work, miss);
         }
@@ -322,7 +322,7 @@ impl Frozen {
     /// The rigid stop that a chain lies on.
     fn rigid_rest(&self, index: usize, modes: &[i64]) -> Option<&FrozenStop> {
         let mut stops = self.stops_of(index);
-        stops.find(|stop| stop.contact.holds(modes[stop.component]))
+        stops.find(|stop| stop.contact.contact_holds(modes[stop.component]))
     }
 
     /// Stiffness of the stop that a chain lies on.

@@ -21,7 +21,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     }
     let mut builder = Builder::new(model);
     for node in 0..model.nodes.len() {
-        builder.place(node);
+        builder.place_node(node);
     }
     builder.place_linkages();
     builder.place_multi();
@@ -36,7 +36,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.refuse_passed_on_friction();
     builder.refuse_rigid_contacts();
     builder.frozen.mark_chains();
-    builder.frozen.separate();
+    builder.frozen.separate_driven_parts();
     if builder.faults.is_empty() {
         builder.refuse_massless();
     }
@@ -83,7 +83,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Gives a node its place, with its whole chain when it is a mass.
-    fn place(&mut self, node: usize) {
+    fn place_node(&mut self, node: usize) {
         if self.placed[node] {
             return;
         }

@@ -203,7 +203,7 @@ impl Frozen {
                 Step::Prescribed(_) | Step::Rotor(_) => {}
                 Step::Chain(index) => {
                     let chain = &self.chains[index];
-                    if chain.contact.holds(work.pair_modes[index]) {
+                    if chain.contact.contact_holds(work.pair_modes[index]) {
                         self.reduce_node(chain.law, chain.first_node, work);
                     }
                 }

@@ -150,10 +150,13 @@ impl Dynamics for System {
         let timed = |step: &Pass| matches!(step, Pass::Prescribed(_));
         !self.frozen.steps.iter().any(timed)
             && self.frozen.tracks.iter().all(|t| t.node.is_some())
-            && !self.frozen.written().any(FrozenExpression::needs_time)
+            && !self
+                .frozen
+                .expression_loads()
+                .any(FrozenExpression::needs_time)
     }
 
-    fn time_tangent(
+    fn derivative_by_time(
         &self,
         time: f64,
         y: &[f64],
@@ -241,7 +244,7 @@ impl Dynamics for System {
         self.scales_of_state()
     }
 
-    fn size(&self, index: usize, value: f64) -> f64 {
+    fn error_size(&self, index: usize, value: f64) -> f64 {
         // The angle of a rotor stays well above its rounding.
         let turns = index < self.frozen.coordinates && self.frozen.is_rotor(index);
         let share = if turns { TURNED } else { 1.0 };
@@ -308,7 +311,7 @@ impl Dynamics for System {
         self.frozen.guards > 0
     }
 
-    fn crossing(
+    fn first_crossing(
         &self,
         step: &Step<'_>,
         modes: &Modes,
@@ -316,7 +319,8 @@ impl Dynamics for System {
         fresh: bool,
         resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
-        self.frozen.crossing(step, &modes.0, end, fresh, resting)
+        self.frozen
+            .first_guard_crossing(step, &modes.0, end, fresh, resting)
     }
 
     fn undecided_guards(
@@ -338,7 +342,7 @@ impl Dynamics for System {
     }
 
     fn has_edges(&self) -> bool {
-        self.frozen.written().next().is_some()
+        self.frozen.expression_loads().next().is_some()
     }
 
     fn pole_near(
@@ -403,7 +407,7 @@ impl Dynamics for System {
             Pass::Prescribed(drive) if drive.node == node => Some(&drive.motion),
             _ => None,
         })?;
-        let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
+        let jet = motion.jet(motion.breaks().segment_at(time, 1.0), time);
         Some([jet.value, jet.first])
     }
 

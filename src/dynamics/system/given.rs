@@ -60,14 +60,17 @@ impl Motion {
     /// The time (s) in which its usual motion turns by a radian; infinite where it is not
     /// accelerated.
     pub(super) fn time(mut self) -> f64 {
-        match (usual(&mut self.speeds), usual(&mut self.accelerations)) {
+        match (
+            typical_value(&mut self.speeds),
+            typical_value(&mut self.accelerations),
+        ) {
             (Some(speed), Some(acceleration)) => speed / acceleration,
             _ => f64::INFINITY,
         }
     }
 }
 
-fn usual(values: &mut [f64]) -> Option<f64> {
+fn typical_value(values: &mut [f64]) -> Option<f64> {
     let last = values.len().checked_sub(1)?;
     let place = (USUAL * last as f64) as usize;
     Some(*values.select_nth_unstable_by(place, f64::total_cmp).1)

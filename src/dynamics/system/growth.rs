@@ -33,7 +33,7 @@ impl System {
             for (end, side) in ends.iter_mut().zip([1.0, -1.0]) {
                 end.copy_from_slice(&state);
                 end[j] += side * DEVIATION * self.scales()[j];
-                leap.take(degree, end);
+                leap.advance_state(degree, end);
             }
             for i in 0..2 * n {
                 let moved = (ends[0][i] - ends[1][i]) / self.scales()[i];
@@ -61,7 +61,7 @@ struct Leap<'s> {
 
 impl Leap<'_> {
     /// Moves a state on.
-    fn take(&mut self, degree: usize, y: &mut [f64]) {
+    fn advance_state(&mut self, degree: usize, y: &mut [f64]) {
         let (n, modes, scratch) = (y.len() / 2, &self.modes, &mut self.scratch);
         self.system
             .derivatives(0.0, y, modes, scratch, &mut self.rates);

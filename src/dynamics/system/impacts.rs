@@ -51,7 +51,7 @@ struct Response {
 
 impl Response {
     /// Work of all prescribed drives (J).
-    fn work(&self) -> f64 {
+    fn work_of_drives(&self) -> f64 {
         self.drives.iter().map(|(_, work)| work).sum()
     }
 }
@@ -76,7 +76,7 @@ impl Frozen {
     }
 
     /// ṗ, p̈ of a contact on a side, from a complete evaluation at a state.
-    fn approach(
+    fn approach_rates(
         &self,
         (component, side): (usize, i64),
         state: &[f64],
@@ -134,14 +134,14 @@ impl Frozen {
         self.reduce_rigid(extent, work);
         let mut rates = vec![0.0; self.coordinates];
         self.accelerate(&still, extent, work, &mut rates);
-        if !self.heavy.is_empty() && self.couple(extent, Chains::Free, work) {
+        if !self.heavy.is_empty() && self.couple_inertia_forces(extent, Chains::Free, work) {
             self.accelerate(&still, extent, work, &mut rates);
         }
         // The rate of a massless point follows from the balance of its forces.
         for chain in self.chains.iter().filter(|chain| chain.point) {
             rates[chain.first_coordinate] = 0.0;
         }
-        let [_, own] = self.approach((component, side), &still, &rates, work);
+        let [_, own] = self.approach_rates((component, side), &still, &rates, work);
         let held = (0..self.contacts()).map(|other| match self.held_force(other, modes, work) {
             Some(force) if other != component => force,
             _ => 0.0,
@@ -169,7 +169,7 @@ impl Frozen {
         work: &Work<f64>,
     ) -> Option<f64> {
         let mode = modes[component];
-        if !self.contact_of(component).holds(mode) {
+        if !self.contact_of(component).contact_holds(mode) {
             return None;
         }
         Some(match self.pairs.get(component) {
@@ -270,13 +270,14 @@ impl Frozen {
 
     /// True where a rigid contact is held.
     pub(super) fn holds_any(&self, modes: &[i64]) -> bool {
-        (0..self.contacts()).any(|component| self.contact_of(component).holds(modes[component]))
+        (0..self.contacts())
+            .any(|component| self.contact_of(component).contact_holds(modes[component]))
     }
 
     /// Probes of the rigid contacts that are held: whether one would pull.
     pub(super) fn probe_held(&self, modes: &[i64], out: &mut Vec<Probe>) {
         for component in 0..self.contacts() {
-            if self.contact_of(component).holds(modes[component]) {
+            if self.contact_of(component).contact_holds(modes[component]) {
                 out.push(Probe {
                     index: self.friction_group_count() + component,
                     component,
@@ -303,7 +304,7 @@ impl Frozen {
         open[component] = OPEN;
         let mut accelerations = std::mem::take(&mut work.parting);
         self.evaluate(time, state, &open, Extent::Full, work, &mut accelerations);
-        let [_, acceleration] = self.approach((component, side), state, &accelerations, work);
+        let [_, acceleration] = self.approach_rates((component, side), state, &accelerations, work);
         work.opened = open;
         work.parting = accelerations;
         -acceleration

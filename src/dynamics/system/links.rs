@@ -40,7 +40,7 @@ impl Frozen {
             v: &v[skip..],
             stiffness: &branch.stiffness[skip..],
             damping: &branch.damping[skip..],
-            reaction: self.reaction(chain, mode, u, v),
+            reaction: self.reaction_of_link(chain, mode, u, v),
         };
         let out = &mut out[chain.coordinates()];
         accelerate_alone(&links, branch, base, &mut out[skip..]);
@@ -62,7 +62,7 @@ fn accelerate_alone<N: Quantity>(
     let skip = branch.chain.points();
     let constant = &branch.constant_force[skip..][..out.len()];
     let inverse = &branch.inverse_inertia[skip..][..out.len()];
-    links.each(out, |m, out, force| {
+    links.for_each_mass(out, |m, out, force| {
         *out = (N::from(constant[m]) + force).scale(inverse[m]) - base;
     });
 }
@@ -85,7 +85,7 @@ impl<N: Quantity> LinkForces<'_, N> {
     /// Calls `each` with every mass, its entry of `out`, and the force of the
     /// links above and below on it.
     #[inline(always)]
-    pub(super) fn each(&self, out: &mut [N], each: impl Fn(usize, &mut N, N)) {
+    pub(super) fn for_each_mass(&self, out: &mut [N], each: impl Fn(usize, &mut N, N)) {
         let last = out.len() - 1;
         let (u, v) = (&self.u[..=last], &self.v[..=last]);
         let (stiffness, damping) = (&self.stiffness[..=last], &self.damping[..=last]);

@@ -49,7 +49,7 @@ impl System {
             for (mass, (node, out)) in (first..).zip(chain.nodes().skip(first).zip(&mut out)) {
                 let force = match mass - first {
                     // A massless point hands the force of the contact on.
-                    0 => self.frozen.reaction(chain, mode, u, v),
+                    0 => self.frozen.reaction_of_link(chain, mode, u, v),
                     _ => {
                         stiffness[mass] * (u[mass] - u[mass - 1])
                             + damping[mass] * (v[mass] - v[mass - 1])

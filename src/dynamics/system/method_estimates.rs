@@ -128,7 +128,7 @@ impl Frozen {
     fn follow_law(&self, law: &FrozenLaw, driver: f64, reach: f64) -> [f64; 2] {
         let piece = |phi: f64| {
             let track = law.component.map(|c| &self.tracks[c - self.contacts()]);
-            track.map_or(0, |track| track.breaks.locate(phi, 1.0))
+            track.map_or(0, |track| track.breaks.segment_at(phi, 1.0))
         };
         let jet = |piece: i64, phi: f64| law.position.jet(piece, phi).scaled(law.lever);
         if !law.has_variable_ratio() {

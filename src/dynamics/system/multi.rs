@@ -310,7 +310,9 @@ impl Frozen {
             let own = &mut work.multi[place.linkage];
             let [value, rate, bend] = match place.value {
                 MultiValue::Distance(_) | MultiValue::Pair(_) if !own.assembled => [f64::NAN; 3],
-                MultiValue::Distance(group) => own.space.distance(group, &mut values.first),
+                MultiValue::Distance(group) => {
+                    own.space.distance_from_singular(group, &mut values.first)
+                }
                 MultiValue::Pair(pair) => own.pair(pair, &mut values.first),
                 MultiValue::Input | MultiValue::Output(_) => continue,
             };
@@ -328,7 +330,7 @@ impl Frozen {
             let slides = linkage.inputs()[place]
                 .coordinate
                 .slides(&linkage.spec().linkage);
-            slides.then(|| linkage.size())
+            slides.then(|| linkage.typical_length())
         })
     }
 

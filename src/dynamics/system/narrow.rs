@@ -21,9 +21,11 @@ impl Frozen {
             }
             Step::Rotor(_) | Step::Rigid(_) | Step::Chain(_) | Step::Constrained(_) => None,
         });
-        let loads = self.written().filter(|written| written.needs_time());
+        let loads = self
+            .expression_loads()
+            .filter(|written| written.needs_time());
         let loads = loads.map(|written| written.narrow_stretches(from, to, modes));
-        merged(motions.chain(loads).flatten().collect())
+        merge_stretches(motions.chain(loads).flatten().collect())
     }
 }
 
@@ -130,7 +132,7 @@ impl FrozenExpression {
 
 /// Stretches of several functions as stretches that do not overlap, with the shortest steps
 /// of all of them.
-fn merged(mut all: Vec<Narrow>) -> Vec<Narrow> {
+fn merge_stretches(mut all: Vec<Narrow>) -> Vec<Narrow> {
     all.sort_by(|a, b| a.from.total_cmp(&b.from));
     let mut found: Vec<Narrow> = Vec::with_capacity(all.len());
     for next in all {

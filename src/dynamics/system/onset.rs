@@ -73,8 +73,8 @@ impl Deformation<'_> {
         self.contact.restitution().is_some()
     }
 
-    fn presses(&self, side: i64) -> [Series; 2] {
-        self.contact.presses(side, self.x, self.v)
+    fn engagement_conditions(&self, side: i64) -> [Series; 2] {
+        self.contact.engagement_conditions(side, self.x, self.v)
     }
 
     /// True when a motion of which the powers up to `known` of displacements and
@@ -85,7 +85,10 @@ impl Deformation<'_> {
             return true;
         }
         let sides = self.contact.sides().iter();
-        let mut guards = sides.flat_map(|&side| self.presses(side).map(|guard| guard.leading()));
+        let mut guards = sides.flat_map(|&side| {
+            self.engagement_conditions(side)
+                .map(|guard| guard.leading())
+        });
         guards.all(|power| power.is_some_and(|power| power <= known))
     }
 
@@ -94,7 +97,7 @@ impl Deformation<'_> {
     fn mode_now(&self) -> Option<i64> {
         let mut mode = OPEN;
         for &side in self.contact.sides() {
-            let [depth, pressing] = self.presses(side).map(|guard| guard.sign());
+            let [depth, pressing] = self.engagement_conditions(side).map(|guard| guard.sign());
             if depth > 0.0 && pressing > 0.0 {
                 mode = side;
             } else if depth >= 0.0 && pressing >= 0.0 {
@@ -106,7 +109,11 @@ impl Deformation<'_> {
 
     /// The mode in the motion.
     fn mode_ahead(&self) -> i64 {
-        let pressed = |&&side: &&i64| self.presses(side).iter().all(|guard| guard.sign() > 0.0);
+        let pressed = |&&side: &&i64| {
+            self.engagement_conditions(side)
+                .iter()
+                .all(|guard| guard.sign() > 0.0)
+        };
         let side = self.contact.sides().iter().find(pressed);
         side.copied().unwrap_or_else(|| self.undecided_mode())
     }
@@ -117,7 +124,7 @@ impl Deformation<'_> {
         let &[side] = self.contact.sides() else {
             return OPEN;
         };
-        let [depth, pressing] = self.presses(side).map(|guard| guard.sign());
+        let [depth, pressing] = self.engagement_conditions(side).map(|guard| guard.sign());
         let touches = depth >= 0.0 && pressing >= 0.0;
         if touches { side } else { OPEN }
     }

@@ -43,7 +43,7 @@ impl OutputAccelerations {
     }
 
     /// A step of a length (s) begins.
-    pub(crate) fn begin(&mut self, length: f64) {
+    pub(crate) fn begin_step(&mut self, length: f64) {
         for (long, rate) in self.long.iter_mut().zip(&self.rates) {
             *long = rate * length > LONG;
         }

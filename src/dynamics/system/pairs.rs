@@ -126,7 +126,7 @@ impl Contact {
 
     /// True in a mode in which a rigid contact holds.
     #[inline(always)]
-    pub(super) fn holds(&self, mode: i64) -> bool {
+    pub(super) fn contact_holds(&self, mode: i64) -> bool {
         self.restitution.is_some() && mode != OPEN
     }
 
@@ -139,7 +139,7 @@ impl Contact {
 
     /// The elastic part of N at a penetration, and its derivative.
     #[inline(always)]
-    pub(super) fn elastic<N: Quantity>(&self, p: N) -> [N; 2] {
+    pub(super) fn elastic_force<N: Quantity>(&self, p: N) -> [N; 2] {
         match self.power {
             None => [p.scale(self.stiffness), N::from(self.stiffness)],
             Some(power) => {
@@ -190,7 +190,7 @@ impl Contact {
         let pressed = match (self.kappa, self.power) {
             (None, _) => p.scale(self.stiffness) + rate.scale(self.damping),
             (Some(kappa), None) => p.scale(self.stiffness) * (N::from(1.0) + rate.scale(kappa)),
-            (Some(kappa), Some(_)) => self.elastic(p)[0] * (N::from(1.0) + rate.scale(kappa)),
+            (Some(kappa), Some(_)) => self.elastic_force(p)[0] * (N::from(1.0) + rate.scale(kappa)),
         };
         pressed.scale(mode as f64)
     }
@@ -198,7 +198,7 @@ impl Contact {
     /// The two quantities that are both positive exactly while a flank is
     /// engaged: p, and N in units that keep it of the size of p (N/c), or
     /// 1 + κ·ṗ of a force with that factor.
-    pub(super) fn presses<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
+    pub(super) fn engagement_conditions<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
         let (p, rate) = self.penetration(side, x, v);
         match self.kappa {
             None if self.restitution.is_some() => [p, p],
@@ -207,7 +207,7 @@ impl Contact {
         }
     }
 
-    /// Guards over a signal, x = signal − `zero`, of the two quantities of [`Self::presses`].
+    /// Guards over a signal, x = signal − `zero`, of the two quantities of [`Self::engagement_conditions`].
     fn guards(&self, side: i64, (signal, zero): (usize, f64)) -> [Guard; 2] {
         let side = side as f64;
         let depth = Guard {
@@ -240,7 +240,7 @@ impl Contact {
         component: usize,
         out: &mut Vec<EventFunction>,
     ) {
-        if self.holds(mode) {
+        if self.contact_holds(mode) {
             // Whether it comes apart only its force tells.
             return;
         }
@@ -270,7 +270,7 @@ impl Contact {
         if self.closure != Closure::Form || self.half_gap > 0.0 {
             return OPEN;
         }
-        let [depth, pressing] = self.presses(side, x, v);
+        let [depth, pressing] = self.engagement_conditions(side, x, v);
         let passes = match self.kappa {
             None => self.damping == 0.0,
             Some(_) => depth.abs() < pressing.abs() * scale,
@@ -310,12 +310,12 @@ impl Contact {
             None => self.damping * rate * rate,
             Some(kappa) => match self.power {
                 None => self.stiffness * p * kappa * rate * rate,
-                Some(_) => self.elastic(p)[0] * kappa * rate * rate,
+                Some(_) => self.elastic_force(p)[0] * kappa * rate * rate,
             },
         };
         // Zero unless a method has gone beyond the switch: the smooth law then
         // works against an energy that is stored no more.
-        damped + self.elastic(p)[0] * rate - self.stored_rate(x, v)
+        damped + self.elastic_force(p)[0] * rate - self.stored_rate(x, v)
     }
 
     /// Clearance to the nearest flank, 0 when touching one.
@@ -333,7 +333,7 @@ impl Contact {
             .iter()
             .map(|&side| {
                 let (p, rate) = self.penetration(side, x, v);
-                self.elastic(p.max(0.0))[0] * rate
+                self.elastic_force(p.max(0.0))[0] * rate
             })
             .sum()
     }

@@ -179,7 +179,7 @@ impl Frozen {
             return self.accelerate(state, extent, work, out);
         }
         self.accelerate(state, extent, work, out);
-        if !self.heavy.is_empty() && self.couple(extent, Chains::Free, work) {
+        if !self.heavy.is_empty() && self.couple_inertia_forces(extent, Chains::Free, work) {
             self.accelerate(state, extent, work, out);
         }
     }
@@ -331,7 +331,7 @@ impl Frozen {
             let chain = &self.chains[index];
             let (u, v) = self.deviations(chain, state);
             let mode = self.pair_mode(chain, modes);
-            let reaction = self.reaction(chain, mode, u, v);
+            let reaction = self.reaction_of_link(chain, mode, u, v);
             work.reaction[index] = reaction;
             work.pair_modes[index] = mode;
             let first = work.laws[chain.law].first;

@@ -70,7 +70,7 @@ impl Frozen {
             let mut balanced = balanced;
             for (component, &chain) in self.pairs.iter().enumerate() {
                 // (What rests on a stop tells by its place whether it touches its flanks.)
-                if !self.rests(chain, &before) {
+                if !self.lies_on_stop(chain, &before) {
                     let reaction = balanced.reactions[chain];
                     modes[component] = resting_mode(&self.chains[chain], reaction);
                 }
@@ -158,7 +158,7 @@ impl Frozen {
                         (Side::Before, true) if sense != 0.0 => -sense,
                         (Side::Before | Side::After, _) => sense,
                     };
-                    let segment = track.breaks.locate(place, sense);
+                    let segment = track.breaks.segment_at(place, sense);
                     settled &= modes[component] == segment;
                     modes[component] = segment;
                 }

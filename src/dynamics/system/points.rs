@@ -45,7 +45,13 @@ impl Frozen {
 
     /// F of the link that holds a chain's pair.
     #[inline(always)]
-    pub(super) fn reaction<N: Quantity>(&self, chain: &Chain, mode: i64, u: &[N], v: &[N]) -> N {
+    pub(super) fn reaction_of_link<N: Quantity>(
+        &self,
+        chain: &Chain,
+        mode: i64,
+        u: &[N],
+        v: &[N],
+    ) -> N {
         chain
             .contact
             .force(mode, u[0], self.pair_rate(chain, mode, u, v))
@@ -53,7 +59,7 @@ impl Frozen {
 
     fn balanced_rate<N: Quantity>(&self, chain: &Chain, mode: i64, u: &[N], v: &[N]) -> N {
         let (c, b) = self.link_behind(chain);
-        let felt = felt(chain, mode, u[0]);
+        let felt = contact_force_at(chain, mode, u[0]);
         if b == 0.0 && felt.damping[0].value() == 0.0 {
             // Nothing but link 1, undamped: it is not stretched, and goes with mass 1.
             return v[1];
@@ -71,7 +77,7 @@ impl Frozen {
         next: N,
     ) -> N {
         let (c, b) = self.link_behind(chain);
-        let felt = felt(chain, mode, u[0]);
+        let felt = contact_force_at(chain, mode, u[0]);
         if b == 0.0 && felt.damping[0].value() == 0.0 {
             return next;
         }
@@ -113,7 +119,7 @@ impl Frozen {
         let contact = &chain.contact;
         let share = |depth: f64| match contact.power() {
             None => depth * c / (c + contact.stiffness()),
-            Some(power) => power.before(1.0 / c).indentation(depth),
+            Some(power) => power.in_series_with_compliance(1.0 / c).indentation(depth),
         };
         if contact.closure == Closure::Bilateral {
             return share(next);
@@ -135,7 +141,7 @@ impl Frozen {
 }
 
 /// The contact of a chain at z.
-fn felt<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
+fn contact_force_at<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
     let zero = N::from(0.0);
     let contact = &chain.contact;
     let (damping, kappa) = contact.losses();
@@ -149,7 +155,7 @@ fn felt<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
     // (A bilateral pair has no side: its force is c·z + b·ż.)
     let side = if bilateral { 1 } else { mode };
     let (p, _) = contact.penetration(side, z, zero);
-    let [force, slope] = contact.elastic(p);
+    let [force, slope] = contact.elastic_force(p);
     let damping = match kappa {
         None => [N::from(damping), zero],
         Some(kappa) => [force.scale(kappa), slope.scale(side as f64 * kappa)],

@@ -40,7 +40,7 @@ impl System {
 
     /// Reduces what hangs rigidly on the rotor of an object to it, in a state and
     /// its modes; zero for an object that has none. Allocates nothing.
-    pub fn reduced(
+    pub fn reduced_to_rotor(
         &self,
         rotor: usize,
         y: &[f64],
@@ -88,7 +88,7 @@ impl System {
             if track.source != TrackSource::Node(node) {
                 continue;
             }
-            let mut segment = track.breaks.locate(0.0, 1.0);
+            let mut segment = track.breaks.segment_at(0.0, 1.0);
             loop {
                 let edge = track.breaks.edges(segment).1;
                 if !(edge < end) || found.len() > MOST_BREAKS {

@@ -38,13 +38,13 @@ impl Modal {
             output: reduced.output.map(|node| frozen.internal[node]),
             under_acceleration: reduced.under_acceleration,
             offset: reduced.offset,
-            course: end.and_then(|node| course(frozen, node)),
+            course: end.and_then(|node| drive_and_laws(frozen, node)),
         }
     }
 }
 
 /// The drive that prescribes a node's motion, and the laws on the way to the node.
-fn course(frozen: &Frozen, mut node: usize) -> Option<(PrescribedNode, Vec<usize>)> {
+fn drive_and_laws(frozen: &Frozen, mut node: usize) -> Option<(PrescribedNode, Vec<usize>)> {
     let mut laws = Vec::new();
     loop {
         let drive = frozen.steps.iter().find_map(|step| match step {

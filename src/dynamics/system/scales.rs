@@ -84,13 +84,13 @@ pub(super) fn scales(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
 pub(super) fn least_deflection(frozen: &Frozen, chain: &Chain) -> f64 {
     let loads = &frozen.constant_force[chain.nodes()];
     let force: f64 = loads.iter().map(|force| force.abs()).sum();
-    let (_, stiffness) = body(frozen, chain);
+    let (_, stiffness) = inertia_and_stiffness(frozen, chain);
     (force / stiffness).max(2.0 * chain.contact.half_gap)
 }
 
 /// δ* and its speed, from the force that link 1 carries.
 fn chain_scales(frozen: &Frozen, chain: &Chain, force: f64) -> (f64, f64) {
-    let (inertia, stiffness) = body(frozen, chain);
+    let (inertia, stiffness) = inertia_and_stiffness(frozen, chain);
     let gap = 2.0 * chain.contact.half_gap;
     let displacement = positive((force / stiffness).max(gap), FLOOR);
     let frequency = positive((stiffness / inertia).sqrt(), 1.0);
@@ -98,7 +98,7 @@ fn chain_scales(frozen: &Frozen, chain: &Chain, force: f64) -> (f64, f64) {
 }
 
 /// J and the series stiffness c of a chain.
-pub(super) fn body(frozen: &Frozen, chain: &Chain) -> (f64, f64) {
+pub(super) fn inertia_and_stiffness(frozen: &Frozen, chain: &Chain) -> (f64, f64) {
     let inertia: f64 = frozen.inertia[chain.nodes()].iter().sum();
     let flexibility = frozen.stiffness[chain.coordinates()]
         .iter()
@@ -163,7 +163,7 @@ fn carried_loads(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
                 let chain = &frozen.chains[*index];
                 let loads: f64 = carried[chain.nodes()].iter().sum();
                 let answers: f64 = answering[chain.nodes()].iter().sum();
-                let (_, stiffness) = body(frozen, chain);
+                let (_, stiffness) = inertia_and_stiffness(frozen, chain);
                 let way = ranges[chain.first_node].displacement;
                 let total = loads + answers.min(stiffness * way);
                 carried[chain.first_node] = total;
@@ -351,7 +351,7 @@ fn drive_sample(drive: &super::frozen::PrescribedNode, share: f64, horizon: f64)
     let last = breaks.points.last().map_or(0.0, |last| last.max(0.0));
     let last = last.min(horizon);
     let at = |time: f64| {
-        let jet = drive.motion.jet(breaks.locate(time, 1.0), time);
+        let jet = drive.motion.jet(breaks.segment_at(time, 1.0), time);
         [jet.value, jet.first, jet.second]
     };
     if last > 0.0 && share < 0.5 {
@@ -400,7 +400,7 @@ fn law_sample(frozen: &Frozen, law: &FrozenLaw, motion: &[[f64; 3]]) -> ([f64; 3
     if let Some(component) = law.component {
         modes.resize(frozen.contacts() + frozen.tracks.len(), 0);
         let track = &frozen.tracks[component - frozen.contacts()];
-        modes[component] = track.breaks.locate(displacement, speed);
+        modes[component] = track.breaks.segment_at(displacement, speed);
     }
     let jet = law.jet(&modes, displacement);
     let at = [

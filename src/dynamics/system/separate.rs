@@ -30,7 +30,7 @@ impl Frozen {
         (self.laws.iter().map(|law| law.driver))
             .chain(self.constraints.iter().flat_map(|one| one.drivers.clone()))
             .chain(self.loads.iter().map(|load| load.node))
-            .chain(self.written().flat_map(FrozenExpression::nodes))
+            .chain(self.expression_loads().flat_map(FrozenExpression::nodes))
             .chain(self.tracks.iter().filter_map(|track| track.node))
             .collect()
     }
@@ -54,7 +54,7 @@ impl Frozen {
     }
 
     /// Takes apart what hangs on a prescribed drive alone.
-    pub(super) fn separate(&mut self) {
+    pub(super) fn separate_driven_parts(&mut self) {
         let idle = self.idle_outputs();
         let frozen = self;
         let needed = frozen

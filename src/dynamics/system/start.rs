@@ -19,7 +19,7 @@ impl System {
     /// No static balance, a start outside the reach of a position function, an
     /// explicit state that does not fit its objects or is not finite.
     pub fn initial_state(&self) -> Result<InitialState, Vec<Fault>> {
-        let mut state = self.place()?;
+        let mut state = self.place_at_start()?;
         let (y, modes) = (&state.y, &mut state.modes.0);
         let noise = self.start_noise(y, modes);
         self.settle_pairs(y, &noise, modes);
@@ -39,18 +39,19 @@ impl System {
     /// # Errors
     /// Those of [`Self::initial_state`].
     pub fn initial_place(&self) -> Result<InitialState, Vec<Fault>> {
-        let mut state = self.place()?;
+        let mut state = self.place_at_start()?;
         self.frozen.locate_tracks(&state.y, &mut state.modes.0);
         self.frozen.settle_points(&mut state.y, &state.modes.0);
         Ok(state)
     }
 
-    fn place(&self) -> Result<InitialState, Vec<Fault>> {
+    fn place_at_start(&self) -> Result<InitialState, Vec<Fault>> {
         let mut warnings = Vec::new();
         let mut modes = self.frozen.no_modes();
         let mut y = match &self.model.start {
             Start::OnLaw => self.explicit_state(&[], &mut modes)?,
             Start::Explicit(starts) => self.explicit_state(starts, &mut modes)?,
+            Start::State(state) => state.clone(),
             Start::Static => {
                 let balanced = self.balanced(Side::After, Balance::Static, &mut modes)?;
                 self.warn_of_inertia(&balanced, &modes, &mut warnings);
@@ -186,7 +187,7 @@ impl System {
         let mut faults = Vec::new();
         for (index, chain) in frozen.chains.iter().enumerate() {
             let reaction = balanced.reactions[index];
-            if frozen.rests(index, modes) {
+            if frozen.lies_on_stop(index, modes) {
                 continue;
             }
             let open = frozen.pair_mode(chain, modes) == super::pairs::OPEN;
@@ -360,7 +361,7 @@ impl System {
         };
         let mut loads = self.model.loads.iter();
         let without = loads.find_map(|load| {
-            let written = load.law.written()?;
+            let written = load.law.expression_load()?;
             let force = written.force(0.0, motion);
             (!force.is_finite()).then_some((load, written))
         });

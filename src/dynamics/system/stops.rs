@@ -51,7 +51,7 @@ impl FrozenStop {
     };
 
     /// The only side on which it can be engaged.
-    pub(super) fn side(&self) -> i64 {
+    pub(super) fn engaged_side(&self) -> i64 {
         self.contact.sides()[0]
     }
 
@@ -95,7 +95,7 @@ impl FrozenStop {
         let (x, mode) = (self.deformation(displacement), modes[self.component]);
         out.deformation = x;
         out.deformation_speed = speed;
-        out.reaction = match self.contact.holds(mode) {
+        out.reaction = match self.contact.contact_holds(mode) {
             true => held,
             false => self.force(mode, displacement, speed),
         };
@@ -104,7 +104,7 @@ impl FrozenStop {
         if mode == OPEN {
             out.lift = self.contact.clearance(x);
         }
-        let (depth, _) = self.contact.penetration(self.side(), x, 0.0);
+        let (depth, _) = self.contact.penetration(self.engaged_side(), x, 0.0);
         out.indentation = depth.max(0.0);
     }
 }
@@ -116,7 +116,7 @@ impl Frozen {
     }
 
     /// True when a chain's pair is open and one of its stops engaged: it lies on the stop.
-    pub(super) fn rests(&self, chain: usize, modes: &[i64]) -> bool {
+    pub(super) fn lies_on_stop(&self, chain: usize, modes: &[i64]) -> bool {
         if self.stops.is_empty() {
             return false;
         }
@@ -144,15 +144,15 @@ impl Frozen {
         let mut work = Work::new(self);
         self.motion(0.0, &balanced.state, before, Extent::Full, &mut work);
         for (index, chain) in self.chains.iter().enumerate() {
-            let rested = self.rests(index, before);
+            let rested = self.lies_on_stop(index, before);
             let mut lands = false;
             for stop in self.stops_of(index) {
                 let x = stop.deformation(work.displacement[stop.node]);
-                let (depth, _) = stop.contact.penetration(stop.side(), x, 0.0);
+                let (depth, _) = stop.contact.penetration(stop.engaged_side(), x, 0.0);
                 // (What lies on a rigid stop touches it, but for rounding.)
-                let lies = rested && stop.contact.holds(before[stop.component]);
+                let lies = rested && stop.contact.contact_holds(before[stop.component]);
                 modes[stop.component] = if depth > 0.0 || lies {
-                    stop.side()
+                    stop.engaged_side()
                 } else {
                     OPEN
                 };
@@ -175,7 +175,10 @@ impl Frozen {
             } else if modes[component] == OPEN && reaction != 0.0 {
                 // Pulled off its law, it goes to the stop on that side.
                 let side = reaction.signum() as i64;
-                if let Some(stop) = self.stops_of(index).find(|stop| stop.side() == side) {
+                if let Some(stop) = self
+                    .stops_of(index)
+                    .find(|stop| stop.engaged_side() == side)
+                {
                     modes[stop.component] = side;
                     let depth = stop.contact.depth_under(reaction.abs());
                     let place = stop.at + side as f64 * depth;

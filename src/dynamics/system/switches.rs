@@ -185,7 +185,7 @@ impl System {
         let id = &part.id;
         // In a dead-centre position speeds and forces grow beyond bounds; at the end of
         // a travel nothing happens but that it is not given to go further.
-        let (name, message) = match self.cause(track.object, edge.place) {
+        let (name, message) = match self.cause_of_end(track.object, edge.place) {
             Some((Cause::Travel, _)) => (
                 "end_of_travel",
                 format!("{id} has no travel beyond {at}: the end of its travel"),
@@ -249,7 +249,7 @@ impl System {
 
     /// Why a linkage goes no further than where its driver has a displacement,
     /// and the group that is in a dead-centre position there.
-    fn cause(&self, object: usize, driver: f64) -> Option<(Cause, String)> {
+    fn cause_of_end(&self, object: usize, driver: f64) -> Option<(Cause, String)> {
         let mut linkages = self.model.linkages.iter();
         let body = linkages.find(|body| body.object == object)?;
         let NodeMotion::Rigid { law } = &self.model.nodes[body.node].motion else {

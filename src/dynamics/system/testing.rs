@@ -141,7 +141,7 @@ fn add_part(
         kind,
         coordinate: Coordinate::Turning,
         nodes,
-        inputs: PartInput::only(driver),
+        inputs: PartInput::behind_one_driver(driver),
         links,
         combination: None,
         contact: None,

@@ -117,7 +117,7 @@ impl System {
         let chain = self.chain(object).unwrap();
         let x = y[chain.first_coordinate];
         let sides = chain.contact.sides();
-        let touches = |&side: &i64| chain.contact.presses(side, x, 0.0)[0] > 0.0;
+        let touches = |&side: &i64| chain.contact.engagement_conditions(side, x, 0.0)[0] > 0.0;
         !sides.iter().any(touches)
     }
 }
@@ -137,7 +137,7 @@ fn a_pair_loses_energy_and_never_gains_any() {
             let presses = |&&side: &&i64| {
                 chain
                     .contact
-                    .presses(side, u[0], v[0])
+                    .engagement_conditions(side, u[0], v[0])
                     .iter()
                     .all(|&h| h > 0.0)
             };

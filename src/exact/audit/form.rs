@@ -1,6 +1,6 @@
 //! Integrals of products of two sums of lanes.
 
-use super::moments::integral;
+use super::moments::integral_of_exponential;
 use crate::exact::basis::Lane;
 use crate::exact::lanes::{Arith, V, WIDTH};
 use crate::exact::pencil::C;
@@ -41,7 +41,7 @@ pub(super) struct PhaseEnds {
 impl PhaseEnds {
     /// Those of the phase up to the instant of `e`.
     #[inline(always)]
-    pub(super) fn take<A: Arith>(
+    pub(super) fn collect_until<A: Arith>(
         phase: &Phase,
         e: &Exponentials,
         blocks: usize,
@@ -127,7 +127,7 @@ impl Form {
 
     /// The integral over the lanes' parts at the ends of a phase.
     #[inline(always)]
-    pub(super) fn integral<A: Arith>(
+    pub(super) fn integral_over_phase<A: Arith>(
         &self,
         ends: &[PhaseEnds],
         phase: &Phase,
@@ -164,7 +164,7 @@ impl Form {
             let length = if pair.exponent.norm_sqr() == 0.0 {
                 C::from(e.s)
             } else {
-                integral(pair.exponent, e.s)
+                integral_of_exponential(pair.exponent, e.s)
             };
             total += (size * length).re;
         }

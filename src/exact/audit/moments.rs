@@ -42,14 +42,14 @@ pub(super) fn moments(z: C, out: &mut [C]) {
 }
 
 /// ∫₀ʰ e^{μs} ds.
-pub(super) fn integral(mu: C, h: f64) -> C {
+pub(super) fn integral_of_exponential(mu: C, h: f64) -> C {
     let mut out = [C::default()];
     moments(mu * h, &mut out);
     out[0] * h
 }
 
 /// ∫₀ʰ p(s)·e^{λs} ds, `at` being the moments for λh.
-pub(super) fn against(p: &[f64], at: &[C; POLY], h: f64) -> C {
+pub(super) fn polynomial_moment(p: &[f64], at: &[C; POLY], h: f64) -> C {
     let mut power = h;
     let mut sum = C::default();
     for (c, moment) in p.iter().zip(at) {
@@ -129,7 +129,7 @@ mod tests {
         let lambda = C::new(-2.0, 9.0);
         moments(lambda * h, &mut at);
         let expected = quadrature(|u| (lambda * (u * h)).exp() * (value(&r, u * h) * h));
-        assert!((against(&r, &at, h) - expected).norm() < 1e-14);
-        assert!((integral(lambda, h) - (at[0] * h)).norm() < 1e-15);
+        assert!((polynomial_moment(&r, &at, h) - expected).norm() < 1e-14);
+        assert!((integral_of_exponential(lambda, h) - (at[0] * h)).norm() < 1e-15);
     }
 }

@@ -3,7 +3,7 @@
 
 use super::form::PhaseEnds;
 use super::forms::{Forms, Work};
-use super::moments::{against, moments, product};
+use super::moments::{moments, polynomial_moment, product};
 use super::varying;
 use crate::exact::basis::{Basis, LaneKind};
 use crate::exact::lanes::{Arith, Task, WIDTH};
@@ -64,7 +64,7 @@ impl Task for PolynomialPart<'_> {
         self.loads(&law, &mut work);
         let mut at = [C::default(); POLY];
         for k in 0..self.basis.lanes.len() {
-            self.lane(k, (&law, &constant), &mut at, &mut work);
+            self.contribution_of_lane(k, (&law, &constant), &mut at, &mut work);
         }
         work
     }
@@ -102,7 +102,7 @@ impl PolynomialPart<'_> {
     }
 
     /// Common contribution of lane k and the polynomials.
-    fn lane(
+    fn contribution_of_lane(
         &self,
         k: usize,
         (law, constant): (&[f64; POLY], &[f64; POLY]),
@@ -119,13 +119,13 @@ impl PolynomialPart<'_> {
             return;
         }
         moments(lane.lambda * h, at);
-        work.drives -= (z * forms.moment[k] * against(law, at, h)).re;
+        work.drives -= (z * forms.moment[k] * polynomial_moment(law, at, h)).re;
         if let LaneKind::Harmonic(_) = lane.kind {
-            work.drives -= (z * lane.lambda * against(constant, at, h)).re;
+            work.drives -= (z * lane.lambda * polynomial_moment(constant, at, h)).re;
         }
         let dampers = forms.dampers.iter().zip(&self.room.speeds);
         for (number, (damper, own)) in dampers.enumerate() {
-            let both = (z * damper.speed(lane) * against(own, at, h)).re;
+            let both = (z * damper.speed(lane) * polynomial_moment(own, at, h)).re;
             let lost = 2.0 * damper.rate * both;
             if number < forms.grounded {
                 work.dissipated += lost;
@@ -134,7 +134,7 @@ impl PolynomialPart<'_> {
             }
         }
         for (i, force) in &self.room.forces {
-            let integral = against(force, at, h);
+            let integral = polynomial_moment(force, at, h);
             let mut shape = lane.shape[*i];
             if let LaneKind::Harmonic(_) = lane.kind {
                 shape += self.problem.masses[*i].ratio;
@@ -154,7 +154,7 @@ impl PolynomialPart<'_> {
 impl Forms {
     /// Over the phase, from its start to the instant of `e`.
     #[inline(always)]
-    pub(super) fn work<A: Arith>(
+    pub(super) fn work_over_phase<A: Arith>(
         &self,
         problem: &TreeProblem,
         basis: &Basis,
@@ -162,15 +162,15 @@ impl Forms {
         e: &Exponentials,
         room: &mut Room,
     ) -> Work {
-        PhaseEnds::take::<A>(phase, e, basis.blocks, &mut room.ends);
+        PhaseEnds::collect_until::<A>(phase, e, basis.blocks, &mut room.ends);
         let ends = &room.ends;
         let mut work = Work {
-            drives: self.drive.integral::<A>(ends, phase, e),
+            drives: self.drive.integral_over_phase::<A>(ends, phase, e),
             loads: 0.0,
-            dissipated: self.links.integral::<A>(ends, phase, e),
+            dissipated: self.links.integral_over_phase::<A>(ends, phase, e),
         };
         if let Some(ground) = &self.ground {
-            work.loads -= ground.integral::<A>(ends, phase, e);
+            work.loads -= ground.integral_over_phase::<A>(ends, phase, e);
         }
         if self.plain && phase.forcing.degree == 0 {
             // The moment's constant part moves with the harmonics alone.

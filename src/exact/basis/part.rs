@@ -12,7 +12,7 @@ pub(super) struct Part {
 }
 
 /// Cuts the tree at open pairs.
-pub(super) fn parts(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
+pub(super) fn cut_at_open_pairs(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
     let mut place: Vec<(usize, usize)> = Vec::new();
     for (i, mass) in problem.masses.iter().enumerate() {
@@ -52,7 +52,7 @@ pub(super) fn parts(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
 }
 
 impl Part {
-    fn spread(&self, n: usize, local: impl Fn(usize) -> C) -> Vec<C> {
+    fn distribute(&self, n: usize, local: impl Fn(usize) -> C) -> Vec<C> {
         let mut out = vec![ZERO; n];
         for (k, &i) in self.members.iter().enumerate() {
             out[i] = local(k);
@@ -62,13 +62,13 @@ impl Part {
 
     pub(super) fn modes(&self, n: usize, lanes: &mut Vec<Lane>) -> Result<(), NoBasis> {
         let pencil = &self.pencil;
-        if pencil.nodes.len() == 1 && pencil.floats() && !pencil.dragged() {
+        if pencil.nodes.len() == 1 && pencil.floats() && !pencil.has_damped_rigid_motion() {
             return Ok(());
         }
         let mut values = pencil
             .eigenvalues()
             .map_err(|_| NoBasis("the natural frequencies could not be separated".into()))?;
-        if pencil.floats() && pencil.dragged() {
+        if pencil.floats() && pencil.has_damped_rigid_motion() {
             values.insert(0, ZERO);
         }
         let own = cluster::lanes(pencil, &values).map_err(NoBasis)?;
@@ -78,7 +78,7 @@ impl Part {
             return Ok(());
         }
         for lane in own {
-            let spread = |local: &[C]| self.spread(n, |k| local[k]);
+            let spread = |local: &[C]| self.distribute(n, |k| local[k]);
             lanes.push(Lane {
                 row_q: spread(&lane.row_q),
                 row_v: spread(&lane.row_v),
@@ -91,7 +91,7 @@ impl Part {
     }
 
     pub(super) fn rigid(&self, n: usize) -> Option<Rigid> {
-        if !self.pencil.floats() || self.pencil.dragged() {
+        if !self.pencil.floats() || self.pencil.has_damped_rigid_motion() {
             return None;
         }
         let local = self.pencil.rigid_shape();

@@ -3,7 +3,7 @@
 use super::{Lane, Rigid, ZERO};
 use crate::exact::pencil::C;
 use crate::exact::problem::TreeProblem;
-use crate::exact::resonance::near;
+use crate::exact::resonance::is_near_resonance;
 
 /// Force on mass i of a law Re(z): f = Re(F z) with L̇ = iΩL.
 pub(super) fn law_force(problem: &TreeProblem, i: usize, lambda: C) -> C {
@@ -38,7 +38,7 @@ pub(super) fn response(
             own += r * f;
             mirrored += r.conj() * f;
         }
-        if own != ZERO && near(lane.lambda, omega) {
+        if own != ZERO && is_near_resonance(lane.lambda, omega) {
             return None;
         }
         let off = |lambda: C, push: C| {

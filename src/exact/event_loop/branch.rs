@@ -141,6 +141,6 @@ impl Segment for Branch<'_> {
             return EnergyAudit::default();
         };
         let before = std::mem::replace(&mut self.works, now);
-        now.since(&before)
+        now.difference_from(&before)
     }
 }

@@ -15,17 +15,17 @@ impl<'l> Clock<'l> {
     }
 
     /// Why a walk must not go on.
-    pub(super) fn stop(&self) -> Option<Stop> {
+    pub(super) fn reason_to_stop(&self) -> Option<Stop> {
         self.limits.budget.spent().map(Stop::from)
     }
 
     /// True as long as nothing ends it.
     pub(crate) fn is_running(&self) -> bool {
-        self.stop().is_none()
+        self.reason_to_stop().is_none()
     }
 
     /// Stop that a halt of a tree stands for.
-    pub(super) fn why(&self, halt: Halt) -> Stop {
+    pub(super) fn stop_of_halt(&self, halt: Halt) -> Stop {
         match halt {
             Halt::Switches => Stop::TooManySwitches {
                 bound: self.limits.switches,
@@ -33,7 +33,7 @@ impl<'l> Clock<'l> {
             Halt::Steps => Stop::TooManySteps {
                 bound: self.limits.steps,
             },
-            Halt::Cancelled => self.stop().unwrap_or(Stop::Interrupted),
+            Halt::Cancelled => self.reason_to_stop().unwrap_or(Stop::Interrupted),
         }
     }
 }

@@ -12,7 +12,7 @@ pub(crate) struct RemainderStep<'g> {
 
 impl RemainderStep<'_> {
     /// Puts its part of the state y = [u, u̇] at an instant into the system's.
-    pub(crate) fn put(&self, time: f64, y: &mut [f64]) {
+    pub(crate) fn write_state(&self, time: f64, y: &mut [f64]) {
         let n = y.len() / 2;
         let s = self.local(time);
         for (number, &coordinate) in self.coordinates.iter().enumerate() {
@@ -52,7 +52,7 @@ mod tests {
         };
         let at = |time: f64| evaluate(step.differences(1), (time - 2.0) / 0.5);
         let mut y = [7.0; 6];
-        given.put(2.2, &mut y);
+        given.write_state(2.2, &mut y);
         approx::assert_abs_diff_eq!(y[2], at(2.2).0, epsilon = 1e-14);
         approx::assert_abs_diff_eq!(y[5], at(2.2).1 / 0.5, epsilon = 1e-13);
         assert_eq!((y[0], y[3], y[1], y[4]), (7.0, 7.0, 0.0, 0.0));

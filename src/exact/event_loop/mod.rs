@@ -63,7 +63,7 @@ impl Motion<'_, '_> {
     pub(crate) fn state(&mut self, time: f64, y: &mut [f64]) {
         use crate::dynamics::segment::Segment;
         if let Some(given) = self.given {
-            given.put(time, y);
+            given.write_state(time, y);
         }
         for branch in self.branches.iter_mut() {
             branch.state(time, y);
@@ -140,12 +140,12 @@ impl<'a> EventLoop<'a> {
     }
 
     /// Tells the start and goes into the first phases.
-    pub(crate) fn begin(&mut self, listener: &mut dyn Listener) {
+    pub(crate) fn begin_phases(&mut self, listener: &mut dyn Listener) {
         for branch in &self.branches {
             branch.take_modes(&mut self.modes);
         }
         if let Some(tracks) = &mut self.tracks {
-            tracks.begin(&mut self.modes);
+            tracks.set_first_segments(&mut self.modes);
             self.system.open_guards(&mut self.modes);
         }
         listener.start(&self.y, &self.modes);
@@ -177,8 +177,8 @@ impl<'a> EventLoop<'a> {
         let mut cut = ends.fold(end, f64::min);
         let mut change = f64::INFINITY;
         if let Some(tracks) = &self.tracks {
-            change = tracks.next(self.system, self.time, &self.modes);
-            cut = cut.min(change).min(self.paces.next(self.time));
+            change = tracks.next_change(self.system, self.time, &self.modes);
+            cut = cut.min(change).min(self.paces.next_joint(self.time));
         }
         if cut - self.time > RESOLUTION * cut.abs() {
             let mut motion = Motion {
@@ -188,7 +188,7 @@ impl<'a> EventLoop<'a> {
             listener.stretch(&mut motion, [self.time, cut], &self.modes);
         }
         self.time = cut;
-        self.advance(given, listener);
+        self.advance_phases(given, listener);
         if change <= cut + NEAR * cut.abs() {
             self.pass_tracks(given, listener);
         }
@@ -196,7 +196,7 @@ impl<'a> EventLoop<'a> {
     }
 
     /// Tells the phases of trees anew that the end cuts, up to there.
-    pub(crate) fn cut(&mut self, listener: &mut dyn Listener) {
+    pub(crate) fn report_cut_phases(&mut self, listener: &mut dyn Listener) {
         for number in 0..self.branches.len() {
             let beyond = self.branches[number].cursor.time() - self.time;
             if beyond <= RESOLUTION * self.time.abs() {
@@ -208,7 +208,7 @@ impl<'a> EventLoop<'a> {
                 ..self.requests[number].clone()
             };
             // It has got as far before.
-            let Ok(mut branch) = Branch::new(part, tree, &request, &super::workspace::always)
+            let Ok(mut branch) = Branch::new(part, tree, &request, &super::workspace::never_stop)
             else {
                 continue;
             };
@@ -216,7 +216,7 @@ impl<'a> EventLoop<'a> {
             if self.time <= 0.0 {
                 continue;
             }
-            while let Ok(true) = branch.cursor.advance() {
+            while let Ok(true) = branch.cursor.next_phase() {
                 listener.phase(number, &mut branch);
             }
             self.branches[number] = branch;
@@ -269,14 +269,15 @@ impl<'a> EventLoop<'a> {
     }
 
     /// Takes the switches due now and goes on to the next phases.
-    fn advance(&mut self, given: Option<&RemainderStep<'_>>, listener: &mut dyn Listener) {
+    fn advance_phases(&mut self, given: Option<&RemainderStep<'_>>, listener: &mut dyn Listener) {
         let due = self.time + 0.5 * RESOLUTION * self.time.abs();
         for index in 0..self.branches.len() {
             while self.stop.is_none() && self.branches[index].cursor.time() <= due {
                 self.take_switch(index, given, listener);
                 self.check_switches();
                 if let Some(halt) = self.branches[index].cursor.halt() {
-                    self.stop.get_or_insert_with(|| self.clock.why(halt));
+                    self.stop
+                        .get_or_insert_with(|| self.clock.stop_of_halt(halt));
                 }
                 if self.stop.is_some() || !self.advance_branch(index, listener) {
                     break;
@@ -288,7 +289,7 @@ impl<'a> EventLoop<'a> {
     /// The next phase of a branch; false when there is none.
     fn advance_branch(&mut self, index: usize, listener: &mut dyn Listener) -> bool {
         let branch = &mut self.branches[index];
-        match branch.cursor.advance() {
+        match branch.cursor.next_phase() {
             Ok(true) => {
                 listener.phase(index, branch);
                 true

@@ -16,7 +16,7 @@ impl<'a> Paces<'a> {
     }
 
     /// The next joint after `time` (s).
-    pub(super) fn next(&mut self, time: f64) -> f64 {
+    pub(super) fn next_joint(&mut self, time: f64) -> f64 {
         let mut next = f64::INFINITY;
         for (source, span) in &mut self.spans {
             let fresh = || source.span(time);

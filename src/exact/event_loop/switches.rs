@@ -25,12 +25,12 @@ impl EventLoop<'_> {
         self.switches += 1;
         match impact {
             None => self.change(component, mode, listener),
-            Some((impact, coordinate)) => self.strike(mode, &impact, coordinate, listener),
+            Some((impact, coordinate)) => self.report_impact(mode, &impact, coordinate, listener),
         }
     }
 
     /// Tells an impact, after which a mode is in force; the state is that after it.
-    pub(super) fn strike(
+    pub(super) fn report_impact(
         &mut self,
         mode: i64,
         impact: &Impact,
@@ -59,7 +59,7 @@ impl EventLoop<'_> {
         let Some(tracks) = &mut self.tracks else {
             return;
         };
-        for (component, mode) in tracks.due(self.system, self.time, &self.modes) {
+        for (component, mode) in tracks.track_changes_at(self.system, self.time, &self.modes) {
             self.current_state(given);
             self.change(component, mode, listener);
         }

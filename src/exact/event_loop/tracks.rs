@@ -5,7 +5,7 @@ use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::model::TrackSource;
 use crate::dynamics::system::System;
 use crate::exact::Parts;
-use crate::exact::from_model::{PrescribedMotion, Target, fit, within};
+use crate::exact::from_model::{PrescribedMotion, Target, fit_course, place_inside};
 use crate::kinematics::breaks::Breaks;
 
 /// Pieces of a motion that are looked through at once: a walk that may be ended looks at the
@@ -62,11 +62,13 @@ impl<'a> Tracks<'a> {
     /// Sets the segments in which the motion leaves the start (a drive that
     /// starts from rest on an edge shows only later which way it goes), and
     /// looks for the first changes.
-    pub(super) fn begin(&mut self, modes: &mut Modes) {
+    pub(super) fn set_first_segments(&mut self, modes: &mut Modes) {
         for follower in &mut self.followers {
             let formulas = follower.course.formulas(0.0);
-            let limits = follower.course.around(follower.breaks, &formulas, 0.0);
-            modes.0[follower.component] = follower.breaks.locate(within(limits), 1.0);
+            let limits = follower
+                .course
+                .interval_around(follower.breaks, &formulas, 0.0);
+            modes.0[follower.component] = follower.breaks.segment_at(place_inside(limits), 1.0);
             follower.find_next_change(0.0, self.end);
         }
     }
@@ -85,14 +87,19 @@ impl<'a> Tracks<'a> {
     }
 
     /// The next change of any track after `time` (s).
-    pub(super) fn next(&self, system: &System, time: f64, modes: &Modes) -> f64 {
+    pub(super) fn next_change(&self, system: &System, time: f64, modes: &Modes) -> f64 {
         let followers = self.followers.iter().map(|follower| follower.next.0);
         let over_time = system.next_break(time, modes);
         followers.fold(over_time, f64::min)
     }
 
     /// The components that change at `time`, and their new values.
-    pub(super) fn due(&mut self, system: &System, time: f64, modes: &Modes) -> Vec<(usize, i64)> {
+    pub(super) fn track_changes_at(
+        &mut self,
+        system: &System,
+        time: f64,
+        modes: &Modes,
+    ) -> Vec<(usize, i64)> {
         let now = time + super::RESOLUTION * time.abs();
         let mut changes = Vec::new();
         let mut after = modes.clone();
@@ -120,14 +127,14 @@ impl Follower<'_> {
         self.next = (f64::INFINITY, 0);
         let held = self
             .course
-            .around(self.breaks, &self.course.formulas(time), time);
+            .interval_around(self.breaks, &self.course.formulas(time), time);
         for _ in 0..AT_ONCE {
             if !(time < end) {
                 return;
             }
-            let turn = self.course.turn(time).min(end);
+            let turn = self.course.time_of_next_turn(time).min(end);
             let axis = Some(self.breaks);
-            let found = fit(
+            let found = fit_course(
                 self.course,
                 time,
                 turn.min(end - time).max(1e-12 * end),
@@ -137,15 +144,15 @@ impl Follower<'_> {
             let Some(found) = found else { return };
             time = found.end;
             let formulas = self.course.formulas(time);
-            let (low, high) = self.course.around(self.breaks, &formulas, time);
+            let (low, high) = self.course.interval_around(self.breaks, &formulas, time);
             if (low, high) != held {
-                let inside = within((low, high));
-                self.next = (time, self.breaks.locate(inside, 1.0));
+                let inside = place_inside((low, high));
+                self.next = (time, self.breaks.segment_at(inside, 1.0));
                 return;
             }
         }
         if time < end {
-            self.next = (time, self.breaks.locate(within(held), 1.0));
+            self.next = (time, self.breaks.segment_at(place_inside(held), 1.0));
         }
     }
 }

@@ -60,13 +60,13 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
         if body.friction.as_ref().is_some_and(|k| k.has_friction()) {
             let reason = "it has friction in its joints, whose directions and standstills are \
                           found by integration";
-            builder.refuse(body.object, reason);
+            builder.note_refusal(body.object, reason);
         }
     }
     for body in &model.multi_linkages {
         let reason = "it has several inputs, which it couples and loads by its own inertia: what \
                       drives it is integrated with it";
-        builder.refuse(body.object, reason);
+        builder.note_refusal(body.object, reason);
     }
     if !builder.refusals.is_empty() {
         return builder.finish();
@@ -86,7 +86,7 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
 }
 
 impl<'m> Builder<'m> {
-    fn refuse(&mut self, object: usize, reason: impl Into<String>) {
+    fn note_refusal(&mut self, object: usize, reason: impl Into<String>) {
         let id = &self.model.objects[object].id;
         self.refusals.push(Refusal::new(id, reason));
         for (tree, spoiled) in self.trees.iter().zip(&mut self.spoiled) {
@@ -99,7 +99,7 @@ impl<'m> Builder<'m> {
         if let Role::Moved(moved) = role {
             self.spoiled[moved.tree] = true;
         }
-        self.refuse(object, reason);
+        self.note_refusal(object, reason);
     }
 
     fn object(&mut self, object: usize) {
@@ -116,14 +116,14 @@ impl<'m> Builder<'m> {
             NodeMotion::Prescribed { motion, .. } => {
                 self.roles[node] = Role::Prescribed(PrescribedMotion::new(motion), Vec::new());
             }
-            NodeMotion::Rotor { .. } => self.refuse(
+            NodeMotion::Rotor { .. } => self.note_refusal(
                 object,
                 "it is turned by a torque: its motion is not known beforehand",
             ),
             NodeMotion::Rigid { law } => self.rigid(object, law),
             NodeMotion::Mass { law } => self.chain(object, law),
             NodeMotion::Constrained { .. } => {
-                self.refuse(object, "it is the sum of its inputs itself");
+                self.note_refusal(object, "it is the sum of its inputs itself");
             }
         }
     }
@@ -150,7 +150,7 @@ impl<'m> Builder<'m> {
     }
 
     /// Where a node stands whose driver moves with a mass.
-    fn behind(
+    fn node_behind_mass(
         &mut self,
         object: usize,
         law: &ModelLaw,
@@ -170,7 +170,7 @@ impl<'m> Builder<'m> {
         let role = self.driver(law);
         self.roles[node] = match &role {
             Role::Unfit => Role::Unfit,
-            Role::Prescribed(course, laws) => follow(course, laws, law),
+            Role::Prescribed(course, laws) => role_behind_law(course, laws, law),
             Role::Moved(_) if self.model.linkages.iter().any(|body| body.node == node) => {
                 let reason = "it is a linkage, whose reduced inertia changes as it moves, behind \
                               an elastic object";
@@ -178,7 +178,7 @@ impl<'m> Builder<'m> {
                 return;
             }
             Role::Moved(moved) => {
-                let Some(on) = self.behind(object, law, &role, *moved) else {
+                let Some(on) = self.node_behind_mass(object, law, &role, *moved) else {
                     return;
                 };
                 let mass = &mut self.trees[on.tree].problem.masses[on.mass];
@@ -193,7 +193,7 @@ impl<'m> Builder<'m> {
         let (tree, base) = match &role {
             Role::Unfit => return,
             Role::Prescribed(course, laws) => {
-                let Role::Prescribed(course, laws) = follow(course, laws, law) else {
+                let Role::Prescribed(course, laws) = role_behind_law(course, laws, law) else {
                     return;
                 };
                 let law = self.laws.law(object, || law::law(&course, &laws));
@@ -214,7 +214,7 @@ impl<'m> Builder<'m> {
                 (self.trees.len() - 1, None)
             }
             Role::Moved(moved) => {
-                let Some(on) = self.behind(object, law, &role, *moved) else {
+                let Some(on) = self.node_behind_mass(object, law, &role, *moved) else {
                     return;
                 };
                 (moved.tree, Some(on))
@@ -245,7 +245,7 @@ impl<'m> Builder<'m> {
                 continue;
             };
             for object in objects.clone() {
-                self.refuse(object, reason);
+                self.note_refusal(object, reason);
             }
             self.spoiled[tree] = true;
         }
@@ -258,7 +258,7 @@ impl<'m> Builder<'m> {
                 && matches!(self.roles[node], Role::Prescribed(..))
             {
                 let reason = "it has dead-centre positions, which a run must search for";
-                self.refuse(track.object, reason);
+                self.note_refusal(track.object, reason);
             }
         }
     }
@@ -272,7 +272,7 @@ impl<'m> Builder<'m> {
                 self.spoiled[tree] = true;
                 let object = self.trees[tree].objects[0];
                 let reason = "the motion that it follows cannot be fitted to rounding";
-                self.refuse(object, reason);
+                self.note_refusal(object, reason);
             }
         }
     }
@@ -332,10 +332,14 @@ impl<'m> Builder<'m> {
     }
 }
 
-fn follow<'m>(course: &PrescribedMotion, laws: &[&'m ModelLaw], law: &'m ModelLaw) -> Role<'m> {
+fn role_behind_law<'m>(
+    course: &PrescribedMotion,
+    laws: &[&'m ModelLaw],
+    law: &'m ModelLaw,
+) -> Role<'m> {
     let mut all = laws.to_vec();
     all.push(law);
-    Role::Prescribed(course.through(&law.position, law.lever), all)
+    Role::Prescribed(course.through_position(&law.position, law.lever), all)
 }
 
 /// The pair, and whether its force is linear while it is engaged.

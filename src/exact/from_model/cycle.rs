@@ -50,7 +50,7 @@ impl<P: Piece> Cycle<P> {
     pub(super) fn of(course: &PrescribedMotion) -> Option<Self> {
         match course.rhythm() {
             Rhythm::Periodic(period, advance) => Some(Self {
-                from: course.settled(),
+                from: course.settling_time(),
                 period,
                 advance,
                 pieces: OnceLock::new(),
@@ -60,7 +60,7 @@ impl<P: Piece> Cycle<P> {
     }
 
     /// Longest piece that shows that the motion does not repeat within it (s).
-    pub(super) fn longest(&self) -> f64 {
+    pub(super) fn longest_piece(&self) -> f64 {
         0.5 * self.period
     }
 
@@ -70,15 +70,15 @@ impl<P: Piece> Cycle<P> {
         if time < self.from {
             return None;
         }
-        let pieces = self.pieces.get_or_init(|| self.made(fresh));
+        let pieces = self.pieces.get_or_init(|| self.pieces_of_cycle(fresh));
         let turn = ((time - self.from) / self.period).floor();
         // Rounding may put an instant into the cycle beside it.
         [turn - 1.0, turn, turn + 1.0]
             .into_iter()
-            .find_map(|turn| self.within(pieces, turn, time))
+            .find_map(|turn| self.piece_at_time(pieces, turn, time))
     }
 
-    fn within(&self, pieces: &[P], turn: f64, time: f64) -> Option<Place<P>> {
+    fn piece_at_time(&self, pieces: &[P], turn: f64, time: f64) -> Option<Place<P>> {
         let at = |place: f64| shifted(place, turn, self.period);
         let count = pieces.partition_point(|piece| at(piece.interval().0).0 <= time);
         let piece = *pieces.get(count.checked_sub(1)?)?;
@@ -92,13 +92,13 @@ impl<P: Piece> Cycle<P> {
         })
     }
 
-    fn made(&self, fresh: impl Fn(f64, f64) -> P) -> Vec<P> {
+    fn pieces_of_cycle(&self, fresh: impl Fn(f64, f64) -> P) -> Vec<P> {
         let end = self.from + self.period;
         let mut pieces: Vec<P> = Vec::new();
         let (mut time, mut last) = (self.from, f64::INFINITY);
         while time < end {
             let rest = end - time;
-            let made = fresh(time, rest.min(self.longest()).min(4.0 * last));
+            let made = fresh(time, rest.min(self.longest_piece()).min(4.0 * last));
             if pieces.len() >= MOST || !made.is_made() {
                 return Vec::new();
             }

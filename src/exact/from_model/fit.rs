@@ -83,7 +83,7 @@ fn bernstein_of(k: usize) -> [f64; POINTS] {
 
 /// Chebyshev's coefficients of a function with given values at the places.
 fn coefficients(values: &[f64; POINTS]) -> [f64; POINTS] {
-    let mut found = TABLES.nodes.fit(values);
+    let mut found = TABLES.nodes.polynomial_through(values);
     // The places ascend, the nodes descend: T_k(−x) = (−1)ᵏ·T_k(x).
     found.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
     found
@@ -101,7 +101,7 @@ enum Trial {
 /// Fits `target` of a course from `time` on, over at most `longest` seconds,
 /// within its formulas there; `axis` holds further places of the displacement
 /// at which the fit ends. `None`: the motion cannot be fitted.
-pub(crate) fn fit(
+pub(crate) fn fit_course(
     course: &PrescribedMotion,
     time: f64,
     longest: f64,
@@ -110,7 +110,7 @@ pub(crate) fn fit(
 ) -> Option<Fit> {
     let formulas = course.formulas(time);
     let last = axis.map_or((f64::NEG_INFINITY, f64::INFINITY), |axis| {
-        course.around(axis, &formulas, time)
+        course.interval_around(axis, &formulas, time)
     });
     let longest = longest.min(formulas.until - time);
     let whole = if longest == formulas.until - time {
@@ -126,7 +126,7 @@ pub(crate) fn fit(
         // over something are too long, whatever the tail.
         let (mut tried, mut passed) = (0, 0);
         while tried < trials && passed < HALVINGS && time + length > time {
-            match attempt(course, &formulas, last, (time, length), target, tail) {
+            match attempt_fit(course, &formulas, last, (time, length), target, tail) {
                 Trial::Good(fit) => {
                     if course.is_resolved_by_samples(&formulas, (time, length), target) {
                         return Some(Fit { end, ..fit });
@@ -143,7 +143,7 @@ pub(crate) fn fit(
     None
 }
 
-fn attempt(
+fn attempt_fit(
     course: &PrescribedMotion,
     formulas: &Formulas,
     last: (f64, f64),
@@ -293,12 +293,17 @@ fn exit_time(
     };
     let edges = (low, high);
     let at = |after: f64| course.at(formulas, depth, time + after);
-    Ok(Some(polish(at, edges, s * length, rounding)))
+    Ok(Some(refine_crossing(at, edges, s * length, rounding)))
 }
 
 /// The crossing near `guess`, where the motion is beyond its edge by about
 /// `rounding`, by Newton's method on the motion itself.
-fn polish(at: impl Fn(f64) -> Instant, (low, high): (f64, f64), guess: f64, rounding: f64) -> f64 {
+fn refine_crossing(
+    at: impl Fn(f64) -> Instant,
+    (low, high): (f64, f64),
+    guess: f64,
+    rounding: f64,
+) -> f64 {
     let mut after = guess;
     for _ in 0..8 {
         let now = at(after);

@@ -89,7 +89,7 @@ pub(super) fn least_size(written: &WrittenMotion, target: Target) -> f64 {
 /// A bound of the values from the start to a time at most.
 fn most_until(written: &WrittenMotion, target: Target, end: f64) -> f64 {
     let breaks = written.breaks();
-    let first = breaks.locate(0.0, 1.0);
+    let first = breaks.segment_at(0.0, 1.0);
     let pieces = first..=first + breaks.points.len() as i64;
     pieces.fold(0.0, |most: f64, piece| {
         let (low, high) = breaks.edges(piece);
@@ -137,7 +137,7 @@ pub(super) fn is_resolved_by_samples(
         target,
         allowed: HIDDEN * size,
     };
-    let whole = search.part(time, time + length);
+    let whole = search.part_between(time, time + length);
     search.is_plain(&whole, HALVINGS)
 }
 
@@ -158,7 +158,7 @@ struct Part {
 }
 
 impl PartSearch<'_> {
-    fn part(&self, from: f64, to: f64) -> Part {
+    fn part_between(&self, from: f64, to: f64) -> Part {
         let all: [_; COEFFICIENTS] = self.written.enclosed(self.segment, from, to);
         let last = all[LAST].magnitude();
         let half = 0.5 * (to - from);
@@ -188,7 +188,10 @@ impl PartSearch<'_> {
         if halvings == 0 || !(part.from < middle && middle < part.to) {
             return false;
         }
-        let mut halves = [self.part(part.from, middle), self.part(middle, part.to)];
+        let mut halves = [
+            self.part_between(part.from, middle),
+            self.part_between(middle, part.to),
+        ];
         // The worse one ends a search in vain sooner.
         if halves[0].difference < halves[1].difference {
             halves.swap(0, 1);

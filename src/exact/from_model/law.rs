@@ -2,7 +2,7 @@
 //! line or a pure harmonic, in polynomial spans otherwise.
 
 use super::cycle::{Cycle, Piece};
-use super::fit::{Fit, fit};
+use super::fit::{Fit, fit_course};
 use super::hidden::Target;
 use super::prescribed::PrescribedMotion;
 use super::rhythm::Rhythm;
@@ -21,8 +21,10 @@ struct Line {
 
 /// The law of a course through the given position functions, drive first.
 pub(super) fn law(course: &PrescribedMotion, laws: &[&ModelLaw]) -> Law {
-    (course.drive().and_then(|motion| closed_form(motion, laws)))
-        .unwrap_or_else(|| Law::Spans(Arc::new(CourseLaw::new(course.clone()))))
+    (course
+        .drive_motion()
+        .and_then(|motion| closed_form(motion, laws)))
+    .unwrap_or_else(|| Law::Spans(Arc::new(CourseLaw::new(course.clone()))))
 }
 
 /// A drive of constant speed through straight position functions, at most one
@@ -104,8 +106,8 @@ impl CourseLaw {
     }
 
     /// A span fitted from `time` on.
-    fn fresh(&self, time: f64, longest: f64) -> PolynomialSpan {
-        match fit(&self.course, time, longest, Target::Acceleration, None) {
+    fn fit_span(&self, time: f64, longest: f64) -> PolynomialSpan {
+        match fit_course(&self.course, time, longest, Target::Acceleration, None) {
             Some(fit) => span(time, &fit),
             None => PolynomialSpan {
                 start: time,
@@ -133,15 +135,17 @@ impl CourseLaw {
     }
 
     /// Longest span worth trying from `time` on.
-    fn longest(&self, time: f64) -> f64 {
+    fn longest_span(&self, time: f64) -> f64 {
         match &self.cycle {
-            Some(cycle) => cycle.longest(),
+            Some(cycle) => cycle.longest_piece(),
             None => {
                 let rest = self.course.formulas(time).until - time;
                 if rest.is_finite() {
                     rest
                 } else {
-                    self.course.turn(time).min(self.course.farthest(time))
+                    self.course
+                        .time_of_next_turn(time)
+                        .min(self.course.farthest(time))
                 }
             }
         }
@@ -150,10 +154,10 @@ impl CourseLaw {
 
 impl SpanSource for CourseLaw {
     fn span(&self, time: f64) -> PolynomialSpan {
-        if let Some(speed) = self.uniform.filter(|_| time >= self.course.settled()) {
+        if let Some(speed) = self.uniform.filter(|_| time >= self.course.settling_time()) {
             return self.straight(time, speed);
         }
-        let fresh = |time: f64, longest: f64| self.fresh(time, longest);
+        let fresh = |time: f64, longest: f64| self.fit_span(time, longest);
         let cycle = self.cycle.as_ref();
         match cycle.and_then(|cycle| cycle.at(time, fresh)) {
             Some(place) => PolynomialSpan {
@@ -163,7 +167,7 @@ impl SpanSource for CourseLaw {
                 value: place.piece.value + place.gained,
                 ..place.piece
             },
-            None => self.fresh(time, self.longest(time)),
+            None => self.fit_span(time, self.longest_span(time)),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Loads that are tables over time, or over a displacement that is prescribed.
 
 use super::cycle::{Cycle, Piece};
-use super::fit::fit;
+use super::fit::fit_course;
 use super::hidden::Target;
-use super::prescribed::{PrescribedMotion, within};
+use super::prescribed::{PrescribedMotion, place_inside};
 use crate::dynamics::model::LinearPiece;
 use crate::exact::{ForcePiece, ForceSource, LAW_DEGREE, TimeLoad};
 use crate::kinematics::breaks::Breaks;
@@ -62,21 +62,21 @@ pub(super) fn table(breaks: &Breaks, pieces: &[LinearPiece], factor: f64) -> Opt
 }
 
 impl CourseLoad {
-    fn longest(&self, time: f64) -> f64 {
+    fn longest_piece(&self, time: f64) -> f64 {
         let cycle = self.cycle.as_ref();
         let rest = self.course.formulas(time).until - time;
-        let longest = rest.min(self.course.turn(time));
+        let longest = rest.min(self.course.time_of_next_turn(time));
         let longest = longest.min(self.course.farthest(time));
-        cycle.map_or(longest, |cycle| longest.min(cycle.longest()))
+        cycle.map_or(longest, |cycle| longest.min(cycle.longest_piece()))
     }
 
-    fn fresh(&self, time: f64, longest: f64) -> ForcePiece {
+    fn fit_piece(&self, time: f64, longest: f64) -> ForcePiece {
         let nothing = |value: f64| ForcePiece {
             start: time,
             end: f64::INFINITY,
             coefficients: [value; LAW_DEGREE + 1],
         };
-        let Some(fit) = fit(
+        let Some(fit) = fit_course(
             &self.course,
             time,
             longest,
@@ -87,7 +87,7 @@ impl CourseLoad {
         };
         let (index, shift) = self
             .breaks
-            .piece(self.breaks.locate(within(fit.limits), 1.0));
+            .piece(self.breaks.segment_at(place_inside(fit.limits), 1.0));
         let piece = self.pieces[index.min(self.pieces.len() - 1)];
         let mut coefficients = fit.coefficients.map(|c| self.factor * piece.slope * c);
         coefficients[0] += self.factor * (piece.value - piece.slope * (shift + piece.start));
@@ -101,10 +101,10 @@ impl CourseLoad {
 
 impl ForceSource for CourseLoad {
     fn piece(&self, time: f64) -> ForcePiece {
-        let fresh = |time: f64, longest: f64| self.fresh(time, longest);
+        let fresh = |time: f64, longest: f64| self.fit_piece(time, longest);
         let cycle = self.cycle.as_ref();
         let Some(place) = cycle.and_then(|cycle| cycle.at(time, fresh)) else {
-            return self.fresh(time, self.longest(time));
+            return self.fit_piece(time, self.longest_piece(time));
         };
         let mut piece = ForcePiece {
             start: place.start.0,

@@ -21,9 +21,9 @@ mod rhythm;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use fit::fit;
+pub(crate) use fit::fit_course;
 pub(crate) use hidden::Target;
-pub(crate) use prescribed::{PrescribedMotion, within};
+pub(crate) use prescribed::{PrescribedMotion, place_inside};
 pub use rest::Rest;
 pub(crate) use rhythm::Rhythm;
 
@@ -160,7 +160,7 @@ impl Parts {
                 NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => continue,
             };
             if let Some(course) = &self.courses[law.driver] {
-                let course = course.through(&law.position, law.lever);
+                let course = course.through_position(&law.position, law.lever);
                 longest = longest.max(course.period()?);
             }
         }
@@ -207,7 +207,7 @@ impl Part {
     /// # Errors
     /// The modes of a combination cannot be separated.
     pub(crate) fn try_modes(&mut self, still: &[f64]) -> Result<(), Refusal> {
-        self.modes = Arc::new(self.tree(still).tried()?);
+        self.modes = Arc::new(self.tree(still).try_modes()?);
         Ok(())
     }
 

@@ -130,7 +130,7 @@ impl PrescribedMotion {
 
     /// Speed and displacement at t = 0 of a motion of constant speed.
     pub(crate) fn line(&self) -> Option<(f64, f64)> {
-        let Some(&DriveMotion::Constant { speed, angle }) = self.drive() else {
+        let Some(&DriveMotion::Constant { speed, angle }) = self.drive_motion() else {
             return None;
         };
         let through = |(speed, angle): (f64, f64), stage: &Stage| {
@@ -142,7 +142,7 @@ impl PrescribedMotion {
     }
 
     /// The motion of the drive that it comes from; `None`: from several.
-    pub(crate) fn drive(&self) -> Option<&DriveMotion> {
+    pub(crate) fn drive_motion(&self) -> Option<&DriveMotion> {
         match &self.source {
             Source::Drive { motion, .. } => Some(motion),
             Source::Sum { .. } => None,
@@ -151,7 +151,7 @@ impl PrescribedMotion {
 
     /// True when it comes from several drives, or from one in several ways.
     pub(crate) fn is_sum(&self) -> bool {
-        self.drive().is_none()
+        self.drive_motion().is_none()
     }
 
     /// The motions that it is the sum of; none where it comes from one drive.
@@ -171,7 +171,7 @@ impl PrescribedMotion {
     }
 
     /// This motion led through one more position function.
-    pub(crate) fn through(&self, position: &Position, lever: f64) -> Self {
+    pub(crate) fn through_position(&self, position: &Position, lever: f64) -> Self {
         let mut on = self.clone();
         on.stages.push(Stage::new(position, lever));
         on
@@ -179,11 +179,11 @@ impl PrescribedMotion {
 
     /// Time from which on the drive turns uniformly, or goes on by one formula,
     /// or repeats itself (s).
-    pub(crate) fn settled(&self) -> f64 {
+    pub(crate) fn settling_time(&self) -> f64 {
         let joints = match &self.source {
             Source::Drive { joints, .. } => joints,
             Source::Sum { terms, .. } => {
-                let settled = terms.iter().map(|(_, term)| term.settled());
+                let settled = terms.iter().map(|(_, term)| term.settling_time());
                 return settled.fold(0.0, f64::max);
             }
         };
@@ -199,11 +199,11 @@ impl PrescribedMotion {
             let next = self.terms().iter().map(|(_, term)| term.joint_after(time));
             return next.fold(f64::INFINITY, f64::min);
         };
-        let later = |joint: &f64| *joint > time + near(time, *joint);
+        let later = |joint: &f64| *joint > time + rounding_of_instants(time, *joint);
         let found = match joints.period {
             None => joints.points.iter().copied().find(later),
             Some(_) => {
-                let now = joints.locate(time, 1.0);
+                let now = joints.segment_at(time, 1.0);
                 let ahead = now..=now + joints.points.len() as i64 + 1;
                 let mut ends = ahead.map(|segment| joints.edges(segment).1);
                 ends.find(later)
@@ -280,9 +280,12 @@ impl PrescribedMotion {
 
     /// About the time that the drive takes for its next turn from `time` on
     /// (s); +∞ at rest.
-    pub(crate) fn turn(&self, time: f64) -> f64 {
+    pub(crate) fn time_of_next_turn(&self, time: f64) -> f64 {
         if self.is_sum() {
-            let turns = self.terms().iter().map(|(_, term)| term.turn(time));
+            let turns = self
+                .terms()
+                .iter()
+                .map(|(_, term)| term.time_of_next_turn(time));
             return turns.fold(f64::INFINITY, f64::min);
         }
         let now = self.at(&self.formulas(time), 0, time);
@@ -301,7 +304,9 @@ impl PrescribedMotion {
     /// The formulas in force just after `time`.
     pub(crate) fn formulas(&self, time: f64) -> Formulas {
         let piece = match &self.source {
-            Source::Drive { breaks, .. } => breaks.locate(time + near(time, 0.0), 1.0),
+            Source::Drive { breaks, .. } => {
+                breaks.segment_at(time + rounding_of_instants(time, 0.0), 1.0)
+            }
             Source::Sum { .. } => 0,
         };
         let terms = self.terms().iter().map(|(_, term)| term.formulas(time));
@@ -313,10 +318,10 @@ impl PrescribedMotion {
             limits: Vec::with_capacity(self.stages.len()),
         };
         for stage in &self.stages {
-            let limits = self.around(&stage.breaks, &formulas, time);
+            let limits = self.interval_around(&stage.breaks, &formulas, time);
             // Any place between two breaks tells the segment.
-            let inside = within(limits);
-            formulas.segments.push(stage.breaks.locate(inside, 1.0));
+            let inside = place_inside(limits);
+            formulas.segments.push(stage.breaks.segment_at(inside, 1.0));
             formulas.limits.push(limits);
         }
         formulas
@@ -324,7 +329,12 @@ impl PrescribedMotion {
 
     /// The interval between two points of `axis` in which the motion, through
     /// as many stages as have their formulas, goes on just after `time`.
-    pub(crate) fn around(&self, axis: &Breaks, formulas: &Formulas, time: f64) -> (f64, f64) {
+    pub(crate) fn interval_around(
+        &self,
+        axis: &Breaks,
+        formulas: &Formulas,
+        time: f64,
+    ) -> (f64, f64) {
         if axis.is_empty() {
             return (f64::NEG_INFINITY, f64::INFINITY);
         }
@@ -338,7 +348,7 @@ impl PrescribedMotion {
         }
         let nudge = PLACE_ROUNDING * now.span;
         let place = now.value + nudge * if sense < 0.0 { -1.0 } else { 1.0 };
-        axis.edges(axis.locate(place, sense))
+        axis.edges(axis.segment_at(place, sense))
     }
 
     /// The motion after its first `depth` stages at `time`.
@@ -396,12 +406,12 @@ impl Source {
 }
 
 /// Rounding of two instants.
-fn near(a: f64, b: f64) -> f64 {
+fn rounding_of_instants(a: f64, b: f64) -> f64 {
     PLACE_ROUNDING * a.abs().max(b.abs())
 }
 
 /// A place well inside an interval that may be open to one side or both.
-pub(crate) fn within((low, high): (f64, f64)) -> f64 {
+pub(crate) fn place_inside((low, high): (f64, f64)) -> f64 {
     match (low.is_finite(), high.is_finite()) {
         (true, true) => 0.5 * (low + high),
         (true, false) => low + low.abs().max(1.0),

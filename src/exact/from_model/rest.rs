@@ -128,7 +128,7 @@ pub(super) fn expression_outside_trees(model: &Model, parts: &Parts) -> Option<u
         let mut objects = model.objects.iter();
         let object = objects.position(|one| one.nodes.contains(&load.node))?;
         let outside = !matches!(parts.holders[object], Holder::Tree(_));
-        (outside && load.law.written().is_some()).then_some(object)
+        (outside && load.law.expression_load().is_some()).then_some(object)
     })
 }
 
@@ -156,7 +156,7 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         .filter(|&l| here(model.links[l].mass))
         .collect();
     assign_numbers(&mut numbers.links, &links);
-    let tracks = tracks(model, kept, &nodes, &loads);
+    let tracks = tracks_of_kept(model, kept, &nodes, &loads);
     assign_numbers(&mut numbers.tracks, &tracks);
     let mut out = Model::default();
     for &node in &nodes {
@@ -187,7 +187,7 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
     let reduced = model.reduced.iter();
     let reduced = reduced.filter(|one| kept.contains(&one.object));
     out.reduced = reduced
-        .map(|one| numbers.reduced(one, kept))
+        .map(|one| numbers.renumbered_reduction(one, kept))
         .collect::<Option<_>>()?;
     let held = |index: &usize| here(model.loads[*index].node);
     let loads: Vec<usize> = (0..model.loads.len()).filter(held).collect();
@@ -211,7 +211,7 @@ fn assign_numbers(numbers: &mut [Option<usize>], kept: &[usize]) {
 }
 
 /// The tracks that the nodes, loads and objects kept look at, ascending.
-fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Vec<usize> {
+fn tracks_of_kept(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Vec<usize> {
     let mut used = vec![false; model.tracks.len()];
     let by_nodes = nodes
         .iter()

@@ -18,23 +18,23 @@ pub(crate) enum Rhythm {
 impl PrescribedMotion {
     /// Period of a motion that repeats itself from t = 0 on (s); 0 where it is uniform.
     pub(super) fn period(&self) -> Option<f64> {
-        match (self.settled() <= 0.0).then(|| self.rhythm())? {
+        match (self.settling_time() <= 0.0).then(|| self.rhythm())? {
             Rhythm::Uniform(_) => Some(0.0),
             Rhythm::Periodic(period, _) => Some(period),
             Rhythm::None => None,
         }
     }
 
-    /// Rhythm of the motion after [`Self::settled`].
+    /// Rhythm of the motion after [`Self::settling_time`].
     pub(crate) fn rhythm(&self) -> Rhythm {
-        let settled = self.settled();
+        let settled = self.settling_time();
         let formulas = self.formulas(settled);
         let speed = self.at(&formulas, 0, settled).speed;
-        let mut rhythm = match self.drive() {
+        let mut rhythm = match self.drive_motion() {
             None => {
                 let terms = self.terms().iter();
                 let terms = terms.map(|(ratio, term)| term.rhythm().scaled(*ratio));
-                terms.fold(Rhythm::Uniform(0.0), Rhythm::with)
+                terms.fold(Rhythm::Uniform(0.0), Rhythm::sum_with)
             }
             Some(DriveMotion::Constant { .. }) => Rhythm::Uniform(speed),
             Some(DriveMotion::Accelerated { acceleration, .. }) => match *acceleration {
@@ -75,7 +75,7 @@ impl Rhythm {
     }
 
     /// Rhythm of the sum of two motions.
-    fn with(self, other: Self) -> Self {
+    fn sum_with(self, other: Self) -> Self {
         match (self, other) {
             (Self::Uniform(one), Self::Uniform(other)) => Self::Uniform(one + other),
             (Self::Uniform(speed), Self::Periodic(period, advance))

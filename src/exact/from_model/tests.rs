@@ -164,9 +164,9 @@ fn courses() -> Vec<PrescribedMotion> {
     for motion in motions() {
         let drive = PrescribedMotion::new(&motion);
         for first in positions() {
-            let one = drive.through(&first, 1.3);
+            let one = drive.through_position(&first, 1.3);
             for second in [&positions()[1], &positions()[7]] {
-                all.push(one.through(second, -0.8));
+                all.push(one.through_position(second, -0.8));
             }
             all.push(one);
         }
@@ -266,7 +266,7 @@ fn a_pure_sine_is_a_harmonic_and_agrees_with_its_spans() {
     let laws = [of(ratio, 1.5), of(sine, -2.0), of(ratio, 0.5)];
     let mut course = PrescribedMotion::new(motion);
     for law in &laws {
-        course = course.through(&law.position, law.lever);
+        course = course.through_position(&law.position, law.lever);
     }
     let closed = law(&course, &laws.iter().collect::<Vec<_>>());
     assert!(matches!(&closed, Law::Harmonic { sines, .. } if sines.len() == 1));
@@ -295,7 +295,7 @@ fn loads_over_a_displacement_follow_their_table() {
         })
         .collect();
     let direct = |x: f64| {
-        let (index, shift) = breaks.piece(breaks.locate(x, 1.0));
+        let (index, shift) = breaks.piece(breaks.segment_at(x, 1.0));
         pieces[index].value + pieces[index].slope * (x - shift - pieces[index].start)
     };
     for course in courses().into_iter().chain([PrescribedMotion::time()]) {

@@ -110,7 +110,7 @@ pub(crate) fn sin_cos_one<A: Arith>(x: f64) -> (f64, f64) {
 /// the sine's amplitude. sin x − x is a series below 1.8 (eleven terms: error
 /// 10⁻¹⁸), a difference above.
 #[inline(always)]
-pub(crate) fn reduced<A: Arith>(x: V, sin: V, cos: V) -> (V, V) {
+pub(crate) fn cosine_and_sine_remainders<A: Arith>(x: V, sin: V, cos: V) -> (V, V) {
     let square = -(sin * sin) / (V::splat(1.0) + cos.map(f64::abs));
     let (series, plain) = (sin_minus::<A>(x), sin - x);
     let (mut cos_less, mut sin_less) = (cos - V::splat(1.0), plain);
@@ -125,11 +125,11 @@ pub(crate) fn reduced<A: Arith>(x: V, sin: V, cos: V) -> (V, V) {
     (cos_less, sin_less)
 }
 
-/// [`reduced`] of one number.
+/// [`cosine_and_sine_remainders`] of one number.
 #[inline(always)]
 pub(crate) fn reduced_one<A: Arith>(x: f64, sin: f64, cos: f64) -> (f64, f64) {
     let f = V::splat;
-    let (c, l) = reduced::<A>(f(x), f(sin), f(cos));
+    let (c, l) = cosine_and_sine_remainders::<A>(f(x), f(sin), f(cos));
     (c.0[0], l.0[0])
 }
 

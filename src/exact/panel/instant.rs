@@ -26,7 +26,7 @@ impl Amplitudes {
 
     /// Takes those of another instant.
     #[inline(always)]
-    pub(crate) fn copy(&mut self, other: &Self) {
+    pub(crate) fn copy_from(&mut self, other: &Self) {
         self.s = other.s;
         self.lanes.copy_from_slice(&other.lanes);
     }
@@ -62,7 +62,7 @@ impl PanelPhase {
 
     /// The lanes at the start of the phase.
     #[inline(always)]
-    pub(crate) fn first(&self, phase: &Phase, out: &mut Amplitudes) {
+    pub(crate) fn write_start_of_phase(&self, phase: &Phase, out: &mut Amplitudes) {
         out.s = 0.0;
         let active = phase.active;
         let (re, im) = (&phase.re[..active], &phase.im[..active]);
@@ -74,7 +74,7 @@ impl PanelPhase {
 
     /// Bounds of all lanes together over the phase.
     #[inline(always)]
-    pub(crate) fn whole<A: Arith>(&self, panel: &Panel, phase: &Phase) -> V {
+    pub(crate) fn bounds_of_all_lanes<A: Arith>(&self, panel: &Panel, phase: &Phase) -> V {
         let mut sum = V::ZERO;
         let seen = &panel.lanes[..phase.active];
         for (b, size) in self.size[..phase.active].iter().enumerate() {
@@ -124,7 +124,12 @@ impl PanelPhase {
 
     /// Value and slope of lane k alone.
     #[inline(always)]
-    pub(crate) fn lane<A: Arith>(&self, panel: &Panel, lanes: &Amplitudes, k: usize) -> [V; 2] {
+    pub(crate) fn value_and_slope_of_lane<A: Arith>(
+        &self,
+        panel: &Panel,
+        lanes: &Amplitudes,
+        k: usize,
+    ) -> [V; 2] {
         let [re, im, _] = lanes.get(k / WIDTH);
         let (re, im) = (V::splat(re.0[k % WIDTH]), V::splat(-im.0[k % WIDTH]));
         let w = &panel.lane_functionals(k).weight;
@@ -144,7 +149,7 @@ impl PanelPhase {
     /// coefficient. Where it turns fast its own cubic is bounded instead: by
     /// its values, and |λ|h/4 for its slopes.
     #[inline(always)]
-    pub(crate) fn loss<A: Arith>(
+    pub(crate) fn interpolation_error<A: Arith>(
         &self,
         basis: &Basis,
         panel: &Panel,

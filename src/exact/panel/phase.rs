@@ -41,7 +41,7 @@ impl PanelPhase {
 
     /// Takes up the phase.
     #[inline(always)]
-    pub(crate) fn take<A: Arith>(&mut self, basis: &Basis, panel: &Panel, phase: &Phase) {
+    pub(crate) fn begin_phase<A: Arith>(&mut self, basis: &Basis, panel: &Panel, phase: &Phase) {
         for b in 0..basis.blocks {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);

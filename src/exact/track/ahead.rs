@@ -50,7 +50,7 @@ impl Track {
         for (b, moduli) in basis.modulus.chunks(WIDTH).enumerate() {
             let faded = self.state.size[b] * exp::<A>(basis.re[b] * V::splat(from));
             for (i, &modulus) in moduli.iter().enumerate() {
-                let size = panel.size(f, b * WIDTH + i) * faded.0[i];
+                let size = panel.lane_weight(f, b * WIDTH + i) * faded.0[i];
                 ahead.most += size;
                 if size < LANE_ROUNDING * ahead.most {
                     continue;

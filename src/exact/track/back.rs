@@ -38,7 +38,7 @@ impl Track {
     pub(super) fn process_step<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
         if scene.followed_lanes(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
-        } else if !self.settled::<A>(scene, a, b) {
+        } else if !self.nothing_happens_between::<A>(scene, a, b) {
             A::run_out_of_line(TrackWalk {
                 track: self,
                 scene,
@@ -51,19 +51,19 @@ impl Track {
     /// the first one, or at the start of the phase: the fast ones are most often
     /// small.
     #[inline(always)]
-    fn settled<A: Arith>(&self, scene: Scene, a: &Point, b: &Point) -> bool {
+    fn nothing_happens_between<A: Arith>(&self, scene: Scene, a: &Point, b: &Point) -> bool {
         let start = (self.before.s == a.s).then_some(&self.before);
         let lanes = (start, scene.lanes());
         let loss = self
             .state
-            .loss::<A>(scene.basis, scene.panel, lanes, b.s - a.s);
+            .interpolation_error::<A>(scene.basis, scene.panel, lanes, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
         self.is_calm_within(&self.narrowed::<A>(bounds, a, b.s))
     }
 
     /// What Hermite's cubic may miss over a length h.
     #[inline(always)]
-    fn loss<A: Arith>(&self, scene: Scene, ahead: LanesAhead, h: f64) -> Loss {
+    fn interpolation_error<A: Arith>(&self, scene: Scene, ahead: LanesAhead, h: f64) -> Loss {
         match ahead {
             LanesAhead::Followed(fourth) => {
                 let square = h * h;
@@ -74,7 +74,8 @@ impl Track {
             }
             LanesAhead::Mixed(from) => {
                 let lanes = (Some(from), scene.lanes());
-                self.state.loss::<A>(scene.basis, scene.panel, lanes, h)
+                self.state
+                    .interpolation_error::<A>(scene.basis, scene.panel, lanes, h)
             }
         }
     }
@@ -104,7 +105,7 @@ impl Track {
     /// Takes the part between two points.
     #[inline(always)]
     pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: LanesAhead, a: &Point, b: &Point) {
-        let loss = self.loss::<A>(scene, ahead, b.s - a.s);
+        let loss = self.interpolation_error::<A>(scene, ahead, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
         let beyond = (bounds.high - self.high).max(self.low - bounds.low);
         if beyond.greatest() <= 0.0 && !self.may_turn(&bounds) {

@@ -92,9 +92,9 @@ impl Track {
                 continue;
             }
             cuts += 1;
-            let guess = piece.a.s + piece.summit() * piece.length();
+            let guess = piece.a.s + piece.extremum_place() * piece.length();
             let figure = (k, sign, best);
-            let cut = self.summit::<A>(scene, figure, &piece, guess, margin);
+            let cut = self.refined_end::<A>(scene, figure, &piece, guess, margin);
             if cut.f > best {
                 (best, place) = (cut.f, cut.s);
             }
@@ -102,14 +102,14 @@ impl Track {
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
         if best > was {
-            self.note((k, sign), best, place);
+            self.note_greatest((k, sign), best, place);
         }
     }
 
     /// The summit near `guess`, with slope exactly zero; where there is none
     /// within the piece, or none higher than `best`, a point near `guess`.
     #[inline(always)]
-    fn summit<A: Arith>(
+    fn refined_end<A: Arith>(
         &mut self,
         scene: Scene,
         (k, sign, best): (usize, f64, f64),
@@ -214,11 +214,11 @@ impl Track {
     ) -> Option<End> {
         let Scene { panel, phase, .. } = scene;
         self.e.start(phase.active);
-        self.state.first(phase, &mut self.look);
+        self.state.write_start_of_phase(phase, &mut self.look);
         let lanes = (&self.look, phase.active);
         let (f, rest) = self.state.jet::<A>(panel, lanes, &self.e, 0);
         let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
-        if !harmless((near, off(near)), f[1] + near * f[2], allowed) {
+        if !error_is_negligible((near, off(near)), f[1] + near * f[2], allowed) {
             return None;
         }
         let value = |x: f64| f[0] + x * (f[1] + x * (f[2] * 0.5 + x * f[3] * (1.0 / 6.0)));
@@ -228,7 +228,8 @@ impl Track {
             x -= value(x) / slope(x);
         }
         let settled = value(x).abs() <= off(x).max(f64::EPSILON * f[0].abs());
-        if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
+        if !(x > 0.0 && x < most && settled && error_is_negligible((x, off(x)), slope(x), allowed))
+        {
             return None;
         }
         let start = self
@@ -248,7 +249,7 @@ impl Track {
     fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
         let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
         let share = if crosses {
-            piece.crossing()
+            piece.zero_crossing()
         } else {
             let turn = if piece.a.f + piece.b.f > 0.0 {
                 -1.0
@@ -264,7 +265,7 @@ impl Track {
                 a: end(piece.a),
                 b: end(piece.b),
             }
-            .summit()
+            .extremum_place()
         };
         if crosses && piece.a.s == 0.0 {
             let allowed = noise * piece.length();
@@ -292,7 +293,7 @@ impl Track {
             let off = rest * (x * x) * (x * x) * (1.0 / 24.0)
                 + 14.0 * (f[1] * x).abs() * (bend * bend) * (bend * bend);
             let allowed = noise * piece.length();
-            if harmless((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
+            if error_is_negligible((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
                 let Scene { panel, phase, .. } = scene;
                 let primitive = self.state.primitive::<A>(panel, phase, &self.look, &self.e);
                 let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
@@ -313,6 +314,6 @@ impl Track {
 /// than `allowed`: by half its square over the slope, and by what the integral
 /// up to there is off.
 #[inline(always)]
-fn harmless((x, off): (f64, f64), slope: f64, allowed: f64) -> bool {
+fn error_is_negligible((x, off): (f64, f64), slope: f64, allowed: f64) -> bool {
     off * off < allowed * slope.abs() && 0.2 * off * x.abs() < allowed
 }

@@ -16,7 +16,7 @@ const GROWTH: f64 = 4.0;
 /// which nobody asks whether the run goes on.
 const MOST: usize = 1 << 24;
 
-/// [`Track::walk`], out of line.
+/// [`Track::walk_through_step`], out of line.
 pub(super) struct TrackWalk<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
@@ -31,7 +31,7 @@ impl Task for TrackWalk<'_> {
         let Self { track, scene, ends } = self;
         let mut from = std::mem::take(&mut track.from);
         let mut to = std::mem::take(&mut track.to);
-        track.walk::<A>(scene, (&mut from, &mut to), ends);
+        track.walk_through_step::<A>(scene, (&mut from, &mut to), ends);
         (track.from, track.to) = (from, to);
     }
 }
@@ -41,7 +41,7 @@ impl Track {
     /// their envelopes rule everything out, and parts short enough to follow
     /// every lane that matters.
     #[inline(always)]
-    fn walk<A: Arith>(
+    fn walk_through_step<A: Arith>(
         &mut self,
         scene: Scene,
         (from, to): (&mut Amplitudes, &mut Amplitudes),
@@ -52,7 +52,7 @@ impl Track {
         }
         let mut parts = MOST / scene.lanes().max(1);
         if self.before.s == a.s {
-            from.copy(&self.before);
+            from.copy_from(&self.before);
         } else {
             self.evaluate::<A>(scene, a.s, from);
         }
@@ -70,7 +70,7 @@ impl Track {
                 return;
             }
             let end = if next == self.now.s {
-                to.copy(&self.now);
+                to.copy_from(&self.now);
                 *b
             } else {
                 self.evaluate::<A>(scene, next, to);
@@ -136,13 +136,13 @@ impl Track {
     ) -> bool {
         let Scene { basis, panel, .. } = scene;
         let [mut a, mut b] = *ends;
-        let mut loss = self
-            .state
-            .loss::<A>(basis, panel, (Some(from), follow), b.s - a.s);
+        let mut loss =
+            self.state
+                .interpolation_error::<A>(basis, panel, (Some(from), follow), b.s - a.s);
         for k in follow..scene.lanes() {
             loss.flat = loss.flat + self.state.lane_size(panel, from, k);
             for (point, lanes) in [(&mut a, from), (&mut b, to)] {
-                let [value, slope] = self.state.lane::<A>(panel, lanes, k);
+                let [value, slope] = self.state.value_and_slope_of_lane::<A>(panel, lanes, k);
                 point.value = point.value - value;
                 point.slope = point.slope - slope;
             }

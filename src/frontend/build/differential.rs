@@ -28,22 +28,22 @@ impl Differential {
     /// Adds an input: its name, what drives it, and the factor with which it enters the
     /// sum.
     pub fn input(self, name: &str, driver: &str, ratio: impl Into<Node>) -> Self {
-        let input = super::only("object", driver);
-        self.with(name, input, "ratio", ratio)
+        let input = super::one_property("object", driver);
+        self.with_input_property(name, input, "ratio", ratio)
     }
 
     /// Adds an input of a [planetary gear](Self::teeth): `sun`, `ring` or `carrier`; or
     /// of a [constraint of your own](Self::combined_by).
     pub fn member(mut self, name: &str, driver: &str) -> Self {
-        let input = super::only("object", driver);
-        self.0.property("inputs").put(name, input);
+        let input = super::one_property("object", driver);
+        self.0.property("inputs").set_property(name, input);
         self
     }
 
     /// Adds an input of a [summing lever](Self::lever) at a place (m) along it.
     pub fn arm(self, name: &str, driver: &str, place: impl Into<Node>) -> Self {
-        let input = super::only("object", driver);
-        self.with(name, input, "at", place)
+        let input = super::one_property("object", driver);
+        self.with_input_property(name, input, "at", place)
     }
 
     /// A constraint of your own, φ = G(φ₁, …, φₖ), over inputs that have been added by
@@ -69,9 +69,15 @@ impl Differential {
         self.set("lever.output", output)
     }
 
-    fn with(mut self, name: &str, mut input: Node, key: &str, value: impl Into<Node>) -> Self {
-        input.put(key, value);
-        self.0.property("inputs").put(name, input);
+    fn with_input_property(
+        mut self,
+        name: &str,
+        mut input: Node,
+        key: &str,
+        value: impl Into<Node>,
+    ) -> Self {
+        input.set_property(key, value);
+        self.0.property("inputs").set_property(name, input);
         self
     }
 }

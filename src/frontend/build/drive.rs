@@ -1,6 +1,6 @@
 //! Drives: where motion comes from.
 
-use super::{builder, only};
+use super::{builder, one_property};
 use crate::frontend::read::Node;
 
 builder! {
@@ -31,8 +31,8 @@ impl Drive {
 
     /// A run-up from rest to a constant speed (rad/s) in a time (s).
     pub fn run_up(speed: impl Into<Node>, time: impl Into<Node>) -> Self {
-        let mut run_up = only("speed", speed);
-        run_up.put("time", time);
+        let mut run_up = one_property("speed", speed);
+        run_up.set_property("time", time);
         Self::prescribed("run_up", run_up)
     }
 
@@ -48,7 +48,7 @@ impl Drive {
 
     /// A plan of motion over time: its stations, ascending.
     pub fn plan(stations: impl Into<Node>) -> Self {
-        Self::prescribed("plan", only("stations", stations))
+        Self::prescribed("plan", one_property("stations", stations))
     }
 
     /// A motor: inertia of its rotor (kg·m²) and its torque over speed.
@@ -98,12 +98,12 @@ impl Drive {
 
     /// Adds a load on the rotor of a motor.
     pub fn load(mut self, name: &str, load: impl Into<Node>) -> Self {
-        self.0.property("loads").put(name, load);
+        self.0.property("loads").set_property(name, load);
         self
     }
 
     fn prescribed(motion: &str, value: impl Into<Node>) -> Self {
-        Self(super::of_kind("drive")).set("motion", only(motion, value))
+        Self(super::of_kind("drive")).set("motion", one_property(motion, value))
     }
 
     fn of_motion(self, property: &str, value: impl Into<Node>) -> Self {
@@ -123,14 +123,14 @@ macro_rules! characteristic {
         impl $name {
             #[doc = concat!("Unit of the value of an expression: `\"", $unit, "\"`.")]
             pub fn unit(mut self, unit: impl Into<Node>) -> Self {
-                self.0.put("unit", unit);
+                self.0.set_property("unit", unit);
                 self
             }
 
             /// Another object, or an output, whose motion an expression looks at as `over_phi`
             /// and `over_phi_dot`.
             pub fn over(mut self, output: impl Into<Node>) -> Self {
-                self.0.put("over", output);
+                self.0.set_property("over", output);
                 self
             }
         }
@@ -150,15 +150,15 @@ pub struct Torque(Node);
 impl Torque {
     /// Characteristic with the same torque (N·m) at every speed.
     pub fn constant(torque: impl Into<Node>) -> Self {
-        Self(only("constant", torque))
+        Self(one_property("constant", torque))
     }
 
     /// Falling linearly from the stall torque (N·m) to nothing at the no-load speed
     /// (rad/s).
     pub fn linear(stall_torque: impl Into<Node>, no_load_speed: impl Into<Node>) -> Self {
-        let mut linear = only("stall_torque", stall_torque);
-        linear.put("no_load_speed", no_load_speed);
-        Self(only("linear", linear))
+        let mut linear = one_property("stall_torque", stall_torque);
+        linear.set_property("no_load_speed", no_load_speed);
+        Self(one_property("linear", linear))
     }
 
     /// An asynchronous motor by Kloss's formula: breakdown torque (N·m), breakdown slip
@@ -168,21 +168,21 @@ impl Torque {
         breakdown_slip: impl Into<Node>,
         synchronous_speed: impl Into<Node>,
     ) -> Self {
-        let mut kloss = only("breakdown_torque", breakdown_torque);
-        kloss.put("breakdown_slip", breakdown_slip);
-        kloss.put("synchronous_speed", synchronous_speed);
-        Self(only("kloss", kloss))
+        let mut kloss = one_property("breakdown_torque", breakdown_torque);
+        kloss.set_property("breakdown_slip", breakdown_slip);
+        kloss.set_property("synchronous_speed", synchronous_speed);
+        Self(one_property("kloss", kloss))
     }
 
     /// Points [speed, torque], linear between them.
     pub fn table(points: impl Into<Node>) -> Self {
-        Self(only("table", points))
+        Self(one_property("table", points))
     }
 
     /// An expression over `t`, `phi` and `phi_dot` of the rotor, in s and rad:
     /// `"30*(1 - phi_dot/150)"`.
     pub fn expression(text: impl Into<Node>) -> Self {
-        Self(only("expression", text))
+        Self(one_property("expression", text))
     }
 }
 
@@ -195,24 +195,24 @@ pub struct Force(Node);
 impl Force {
     /// Characteristic with the same force (N) at every speed.
     pub fn constant(force: impl Into<Node>) -> Self {
-        Self(only("constant", force))
+        Self(one_property("constant", force))
     }
 
     /// Falling linearly from the stall force (N) to nothing at the no-load speed (m/s).
     pub fn linear(stall_force: impl Into<Node>, no_load_speed: impl Into<Node>) -> Self {
-        let mut linear = only("stall_force", stall_force);
-        linear.put("no_load_speed", no_load_speed);
-        Self(only("linear", linear))
+        let mut linear = one_property("stall_force", stall_force);
+        linear.set_property("no_load_speed", no_load_speed);
+        Self(one_property("linear", linear))
     }
 
     /// Points [speed, force], linear between them.
     pub fn table(points: impl Into<Node>) -> Self {
-        Self(only("table", points))
+        Self(one_property("table", points))
     }
 
     /// An expression over `t`, `phi` and `phi_dot` of the slide, in s and m.
     pub fn expression(text: impl Into<Node>) -> Self {
-        Self(only("expression", text))
+        Self(one_property("expression", text))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Linkages: links with named points, pairs that say which points coincide.
 
-use super::{Coupling, Load, builder, only};
+use super::{Coupling, Load, builder, one_property};
 use crate::frontend::read::Node;
 
 builder! {
@@ -37,7 +37,7 @@ impl Linkage {
 
     /// Adds an input to a linkage of several: one of its independent coordinates.
     pub fn input(self, name: &str, input: LinkageInput) -> Self {
-        self.entry("inputs", name, input)
+        self.with_entry("inputs", name, input)
     }
 
     /// Copies a linkage of the catalogue, `linkage/toggle-press`.
@@ -47,46 +47,46 @@ impl Linkage {
 
     /// Gives a number a name; wherever a number is wanted, the name may stand.
     pub fn dimension(self, name: &str, value: impl Into<Node>) -> Self {
-        self.entry("dimensions", name, value)
+        self.with_entry("dimensions", name, value)
     }
 
     /// Adds a point of the ground (m, m).
     pub fn ground(self, name: &str, x: impl Into<Node>, y: impl Into<Node>) -> Self {
-        self.entry("ground", name, (x, y))
+        self.with_entry("ground", name, (x, y))
     }
 
     /// Adds a link.
     pub fn link(self, name: &str, link: Link) -> Self {
-        self.entry("links", name, link)
+        self.with_entry("links", name, link)
     }
 
     /// Adds a pair.
     pub fn pair(self, name: &str, joint: Joint) -> Self {
-        self.entry("pairs", name, joint)
+        self.with_entry("pairs", name, joint)
     }
 
     /// Adds a coupling of two links: gears, a belt, a rack, a cam.
     pub fn coupling(self, name: &str, coupling: Coupling) -> Self {
-        self.entry("couplings", name, coupling)
+        self.with_entry("couplings", name, coupling)
     }
 
     /// Says on which side a link, or a group, is put together.
     pub fn assembly(self, link: &str, assembly: Assembly) -> Self {
-        self.entry("assembly", link, assembly)
+        self.with_entry("assembly", link, assembly)
     }
 
     /// Adds a force, a spring or a damper.
     pub fn force(self, name: &str, force: LinkageForce) -> Self {
-        self.entry("forces", name, force)
+        self.with_entry("forces", name, force)
     }
 
     /// Adds an output: others hang on it as `linkage.output`.
     pub fn output(self, name: &str, output: Output) -> Self {
-        self.entry("outputs", name, output)
+        self.with_entry("outputs", name, output)
     }
 
-    fn entry(mut self, group: &str, name: &str, value: impl Into<Node>) -> Self {
-        self.0.property(group).put(name, value);
+    fn with_entry(mut self, group: &str, name: &str, value: impl Into<Node>) -> Self {
+        self.0.property(group).set_property(name, value);
         self
     }
 }
@@ -110,27 +110,27 @@ builder! {
 impl LinkageInput {
     /// The coordinate of a pair.
     pub fn pair(pair: &str) -> Self {
-        Self(only("pair", pair))
+        Self(one_property("pair", pair))
     }
 
     /// x of the origin of a link that floats.
     pub fn x(link: &str) -> Self {
-        Self(only("x", link))
+        Self(one_property("x", link))
     }
 
     /// y of the origin of a link that floats.
     pub fn y(link: &str) -> Self {
-        Self(only("y", link))
+        Self(one_property("y", link))
     }
 
     /// The angle of a link that floats.
     pub fn angle(link: &str) -> Self {
-        Self(only("angle", link))
+        Self(one_property("angle", link))
     }
 
     /// Adds a load on the input.
     pub fn load(mut self, name: &str, load: Load) -> Self {
-        self.0.property("loads").put(name, load);
+        self.0.property("loads").set_property(name, load);
         self
     }
 }
@@ -156,7 +156,7 @@ impl Link {
 
     /// Adds a point.
     pub fn point(mut self, name: &str, x: impl Into<Node>, y: impl Into<Node>) -> Self {
-        self.0.property("points").put(name, (x, y));
+        self.0.property("points").set_property(name, (x, y));
         self
     }
 
@@ -179,33 +179,33 @@ builder! {
 impl Joint {
     /// A pin that joins two points.
     pub fn revolute(one: &str, other: &str) -> Self {
-        Self(only("revolute", [one, other]))
+        Self(one_property("revolute", [one, other]))
     }
 
     /// A block that slides along a guide: a point of the guide's axis, the direction of
     /// the guide in the frame of its link (rad), the block's point.
     pub fn sliding(guide: &str, direction: impl Into<Node>, block: &str) -> Self {
-        let mut sliding = only("guide", guide);
-        sliding.put("direction", direction);
-        sliding.put("block", block);
-        Self(only("sliding", sliding))
+        let mut sliding = one_property("guide", guide);
+        sliding.set_property("direction", direction);
+        sliding.set_property("block", block);
+        Self(one_property("sliding", sliding))
     }
 
     /// A sliding pair whose guide is directed towards another point of its axis.
     pub fn sliding_through(guide: &str, through: &str, block: &str) -> Self {
-        let mut sliding = only("guide", guide);
-        sliding.put("through", through);
-        sliding.put("block", block);
-        Self(only("sliding", sliding))
+        let mut sliding = one_property("guide", guide);
+        sliding.set_property("through", through);
+        sliding.set_property("block", block);
+        Self(one_property("sliding", sliding))
     }
 
     /// A weld: the same point on both links, and the angle of the second link's frame less that of
     /// the first (rad). Both are one body.
     pub fn weld(on: &str, link: &str, angle: impl Into<Node>) -> Self {
-        let mut weld = only("on", on);
-        weld.put("link", link);
-        weld.put("angle", angle);
-        Self(only("weld", weld))
+        let mut weld = one_property("on", on);
+        weld.set_property("link", link);
+        weld.set_property("angle", angle);
+        Self(one_property("weld", weld))
     }
 }
 
@@ -216,17 +216,17 @@ pub struct Assembly(Node);
 impl Assembly {
     /// The origin of the link's frame is near this place (m, m).
     pub fn near(x: impl Into<Node>, y: impl Into<Node>) -> Self {
-        Self(only("near", (x, y)))
+        Self(one_property("near", (x, y)))
     }
 
     /// The link's angle is near this one (rad).
     pub fn angle(angle: impl Into<Node>) -> Self {
-        Self(only("angle", angle))
+        Self(one_property("angle", angle))
     }
 
     /// The side on which a group of two links lies: `"+"` or `"-"`.
     pub fn branch(branch: &str) -> Self {
-        Self(only("branch", branch))
+        Self(one_property("branch", branch))
     }
 }
 
@@ -245,16 +245,16 @@ builder! {
 impl LinkageForce {
     /// A constant force [x, y] (N) on a point, of fixed direction.
     pub fn constant(point: &str, x: impl Into<Node>, y: impl Into<Node>) -> Self {
-        let mut force = only("point", point);
-        force.put("force", (x, y));
-        Self(only("force", force))
+        let mut force = one_property("point", point);
+        force.set_property("force", (x, y));
+        Self(one_property("force", force))
     }
 
     /// A couple (N·m) on a link.
     pub fn couple(link: &str, moment: impl Into<Node>) -> Self {
-        let mut couple = only("link", link);
-        couple.put("moment", moment);
-        Self(only("couple", couple))
+        let mut couple = one_property("link", link);
+        couple.set_property("moment", moment);
+        Self(one_property("couple", couple))
     }
 
     /// A spring between two points: rate (N/m) and free length (m).
@@ -276,24 +276,24 @@ impl LinkageForce {
 
     /// A strut between two points, its rate, damping or force still to be set.
     pub fn strut(from: &str, to: &str) -> Self {
-        let mut strut = only("from", from);
-        strut.put("to", to);
-        Self(only("strut", strut))
+        let mut strut = one_property("from", from);
+        strut.set_property("to", to);
+        Self(one_property("strut", strut))
     }
 
     /// A torsion spring in a pair: rate (N·m/rad) and free angle (rad).
     pub fn torsion(pair: &str, rate: impl Into<Node>, free_angle: impl Into<Node>) -> Self {
-        let mut torsion = only("pair", pair);
-        torsion.put("rate", rate);
-        torsion.put("free_angle", free_angle);
-        Self(only("torsion", torsion))
+        let mut torsion = one_property("pair", pair);
+        torsion.set_property("rate", rate);
+        torsion.set_property("free_angle", free_angle);
+        Self(one_property("torsion", torsion))
     }
 
     /// A force on a point over the input coordinate: points [coordinate, force].
     pub fn table(point: &str, points: impl Into<Node>) -> Self {
-        let mut table = only("point", point);
-        table.put("points", points);
-        Self(only("table", table))
+        let mut table = one_property("point", point);
+        table.set_property("points", points);
+        Self(one_property("table", table))
     }
 }
 
@@ -304,19 +304,19 @@ pub struct Output(Node);
 impl Output {
     /// The displacement of a point along a direction in the frame of the ground (rad).
     pub fn point(point: &str, direction: impl Into<Node>) -> Self {
-        let mut output = only("point", point);
-        output.put("direction", direction);
+        let mut output = one_property("point", point);
+        output.set_property("direction", direction);
         Self(output)
     }
 
     /// The angle of a link.
     pub fn angle(link: &str) -> Self {
-        Self(only("angle", link))
+        Self(one_property("angle", link))
     }
 
     /// The coordinate of a pair.
     pub fn pair(pair: &str) -> Self {
-        Self(only("pair", pair))
+        Self(one_property("pair", pair))
     }
 }
 

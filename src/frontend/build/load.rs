@@ -1,6 +1,6 @@
 //! Loads.
 
-use super::{at, only};
+use super::{at, one_property};
 use crate::dynamics::load::{CustomLoad, LoadFunction};
 use crate::frontend::read::{Node, OWN, Own};
 use std::sync::Arc;
@@ -47,7 +47,7 @@ impl Load {
     }
 
     fn of(law: &'static str, value: impl Into<Node>) -> Self {
-        Self(only(law, value))
+        Self(one_property(law, value))
     }
 
     /// A constant force or moment (N or N·m).
@@ -62,21 +62,21 @@ impl Load {
 
     /// Points [driver's displacement, force]; with [`Self::period`] it repeats.
     pub fn position_table(points: impl Into<Node>) -> Self {
-        Self::of("position_table", only("points", points))
+        Self::of("position_table", one_property("points", points))
     }
 
     /// A constant force while the driver is between two displacements; repeats with
     /// every turn of a turning driver, with a [`Self::period`], or comes [`Self::once`].
     pub fn window(from: impl Into<Node>, to: impl Into<Node>, force: impl Into<Node>) -> Self {
-        let mut window = only("from", from);
-        window.put("to", to);
-        window.put("force", force);
+        let mut window = one_property("from", from);
+        window.set_property("to", to);
+        window.set_property("force", force);
         Self::of("window", window)
     }
 
     /// A spring −rate·φ (N/m or N·m/rad), with a [`Self::preload`].
     pub fn spring(rate: impl Into<Node>) -> Self {
-        Self::of("spring", only("rate", rate))
+        Self::of("spring", one_property("rate", rate))
     }
 
     /// A damper −b·φ̇ (N·s/m or N·m·s/rad).
@@ -86,13 +86,13 @@ impl Load {
 
     /// Weight of what slides in a direction at this angle (rad) above the horizontal.
     pub fn weight(inclination: impl Into<Node>) -> Self {
-        Self::of("weight", only("inclination", inclination))
+        Self::of("weight", one_property("inclination", inclination))
     }
 
     /// Coulomb friction −force·tanh(φ̇/width).
     pub fn friction(force: impl Into<Node>, width: impl Into<Node>) -> Self {
-        let mut friction = only("force", force);
-        friction.put("width", width);
+        let mut friction = one_property("force", force);
+        friction.set_property("width", width);
         Self::of("friction", friction)
     }
 
@@ -105,15 +105,15 @@ impl Load {
 
     /// amplitude·sin(2π·frequency·t + phase) + mean (N or N·m, Hz).
     pub fn harmonic(amplitude: impl Into<Node>, frequency: impl Into<Node>) -> Self {
-        let mut harmonic = only("amplitude", amplitude);
-        harmonic.put("frequency", frequency);
+        let mut harmonic = one_property("amplitude", amplitude);
+        harmonic.set_property("frequency", frequency);
         Self::of("harmonic", harmonic)
     }
 
     /// amplitude·sin(order·φ + phase) + mean, φ of the driver (N or N·m).
     pub fn harmonic_of_order(amplitude: impl Into<Node>, order: impl Into<Node>) -> Self {
-        let mut harmonic = only("amplitude", amplitude);
-        harmonic.put("order", order);
+        let mut harmonic = one_property("amplitude", amplitude);
+        harmonic.set_property("order", order);
         Self::of("harmonic", harmonic)
     }
 
@@ -121,8 +121,8 @@ impl Load {
     /// where it is pushed towards positive displacement; repeats with every turn, or with
     /// a [`Self::period`].
     pub fn indicator(points: impl Into<Node>, area: impl Into<Node>) -> Self {
-        let mut indicator = only("points", points);
-        indicator.put("area", area);
+        let mut indicator = one_property("points", points);
+        indicator.set_property("area", area);
         Self::of("indicator", indicator)
     }
 

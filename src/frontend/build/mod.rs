@@ -47,7 +47,7 @@ pub use other::{AnyObject, OwnObject};
 pub use pair::{CamContact, Contact, DiscCam, Geometry, LineContact, Pair, PointContact, Stop};
 pub use position::{Law, Position, Station};
 
-use crate::frontend::builder_macros::{at, builder, elastic, of_kind, only};
+use crate::frontend::builder_macros::{at, builder, elastic, of_kind, one_property};
 
 /// Builders that the file of their kind declares.
 pub mod kinds {

@@ -1,6 +1,6 @@
 //! Objects of any kind, and objects that no text can state.
 
-use super::{builder, only};
+use super::{builder, one_property};
 use crate::frontend::object::{INPUT, Object};
 use crate::frontend::read::{Node, OWN, Own};
 use std::sync::Arc;
@@ -24,7 +24,7 @@ impl AnyObject {
     /// A copy of an object of the catalogue, `linkage/toggle-press`; properties given
     /// here replace its own.
     pub fn copy_of(catalogued: &str) -> Self {
-        Self(only("from", catalogued))
+        Self(one_property("from", catalogued))
     }
 }
 
@@ -37,18 +37,20 @@ impl OwnObject {
     /// An object that lowers itself.
     pub fn new(object: impl Object + 'static) -> Self {
         let own = crate::frontend::object::OwnObject(Arc::new(object));
-        Self(only(OWN, Own::new(own)))
+        Self(one_property(OWN, Own::new(own)))
     }
 
     /// Connects the only input.
     pub fn on(mut self, driver: &str) -> Self {
-        self.0.put(INPUT, driver);
+        self.0.set_property(INPUT, driver);
         self
     }
 
     /// Connects one of several inputs, by the name of its port.
     pub fn input(mut self, port: &str, driver: &str) -> Self {
-        self.0.property("inputs").put(port, only("object", driver));
+        self.0
+            .property("inputs")
+            .set_property(port, one_property("object", driver));
         self
     }
 }

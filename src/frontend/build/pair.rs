@@ -1,6 +1,6 @@
 //! Driving pairs, dimensions, disc cams.
 
-use super::{builder, only};
+use super::{builder, one_property};
 use crate::frontend::read::Node;
 
 builder! {
@@ -54,12 +54,12 @@ builder! {
 impl Stop {
     /// Holds the mass from going below a displacement.
     pub fn below(at: impl Into<Node>, contact: impl Into<Node>) -> Self {
-        Self(only("at", at)).side("-").contact(contact)
+        Self(one_property("at", at)).side("-").contact(contact)
     }
 
     /// Holds the mass from going above a displacement.
     pub fn above(at: impl Into<Node>, contact: impl Into<Node>) -> Self {
-        Self(only("at", at)).side("+").contact(contact)
+        Self(one_property("at", at)).side("+").contact(contact)
     }
 }
 
@@ -95,7 +95,9 @@ builder! {
 impl LineContact {
     /// A line of a length (m), under a load (N), of bodies with this Young's modulus (Pa).
     pub fn new(width: impl Into<Node>, load: impl Into<Node>, modulus: impl Into<Node>) -> Self {
-        Self(only("width", width)).load(load).modulus(modulus)
+        Self(one_property("width", width))
+            .load(load)
+            .modulus(modulus)
     }
 }
 
@@ -127,7 +129,7 @@ builder! {
 impl PointContact {
     /// A ball of this radius (m) on a plate, both with this Young's modulus (Pa).
     pub fn ball(radius: impl Into<Node>, modulus: impl Into<Node>) -> Self {
-        Self(only("radius", radius)).modulus(modulus)
+        Self(one_property("radius", radius)).modulus(modulus)
     }
 }
 
@@ -147,29 +149,29 @@ builder! {
 impl CamContact {
     /// Under a load along the normal (N), at which the stiffness is the secant.
     pub fn new(load: impl Into<Node>) -> Self {
-        Self(only("load", load))
+        Self(one_property("load", load))
     }
 }
 
 impl Contact {
     /// N = k·p, k from the object's own cam.
     pub fn on_cam(cam: impl Into<Node>) -> Self {
-        Self(only("from", only("cam", cam)))
+        Self(one_property("from", one_property("cam", cam)))
     }
 
     /// N = k·p, k from the geometry of a contact along a line.
     pub fn line(line: impl Into<Node>) -> Self {
-        Self(only("from", only("line", line)))
+        Self(one_property("from", one_property("line", line)))
     }
 
     /// N = K·p^(3/2), K from the geometry of a contact in a point.
     pub fn point(point: impl Into<Node>) -> Self {
-        Self(only("from", only("point", point))).law("hertz")
+        Self(one_property("from", one_property("point", point))).law("hertz")
     }
 
     /// N = k·p.
     pub fn elastic(stiffness: impl Into<Node>) -> Self {
-        Self(only("stiffness", stiffness))
+        Self(one_property("stiffness", stiffness))
     }
 
     /// N = k·p + b·ṗ.
@@ -188,7 +190,7 @@ impl Contact {
 
     /// Rigid, with a coefficient of restitution between 0 and 1.
     pub fn rigid(restitution: impl Into<Node>) -> Self {
-        Self(only("restitution", restitution))
+        Self(one_property("restitution", restitution))
     }
 
     /// N = K·p^(3/2), contact in a point.
@@ -200,17 +202,17 @@ impl Contact {
 impl Pair {
     /// A bilateral pair: it holds both ways, without a gap.
     pub fn bilateral() -> Self {
-        Self(only("closure", "bilateral"))
+        Self(one_property("closure", "bilateral"))
     }
 
     /// A force holds it closed: it may lift off.
     pub fn force_closed() -> Self {
-        Self(only("closure", "force"))
+        Self(one_property("closure", "force"))
     }
 
     /// Form-closed with a gap (rad or m).
     pub fn form(gap: impl Into<Node>) -> Self {
-        Self(only("closure", "form")).gap(gap)
+        Self(one_property("closure", "form")).gap(gap)
     }
 
     /// Contact force by Hunt and Crossley with κ, seconds per unit of penetration.
@@ -286,6 +288,6 @@ builder! {
 impl DiscCam {
     /// A disc cam with a base circle.
     pub fn new(base_radius: impl Into<Node>) -> Self {
-        Self(only("base_radius", base_radius))
+        Self(one_property("base_radius", base_radius))
     }
 }

@@ -1,6 +1,6 @@
 //! Position functions, plans and laws of motion.
 
-use super::{builder, only};
+use super::{builder, one_property};
 use crate::frontend::read::{Node, Own};
 use crate::kinematics::position::{CustomPosition, PositionFunction};
 use std::sync::Arc;
@@ -77,34 +77,34 @@ impl Position {
     ];
 
     fn of(function: &'static str, properties: Node) -> Self {
-        let node = only(function, properties);
+        let node = one_property(function, properties);
         Self { function, node }
     }
 
     /// U = ratio·φ (+ offset).
     pub fn ratio(ratio: impl Into<Node>) -> Self {
-        Self::of("ratio", only("ratio", ratio))
+        Self::of("ratio", one_property("ratio", ratio))
     }
 
     /// U = amplitude·sin(harmonic·φ + phase) (+ offset).
     pub fn sine(amplitude: impl Into<Node>) -> Self {
-        Self::of("sine", only("amplitude", amplitude))
+        Self::of("sine", one_property("amplitude", amplitude))
     }
 
     /// U = a₀ + a₁·φ + a₂·φ² + …, lowest power first.
     pub fn polynomial(coefficients: impl Into<Node>) -> Self {
-        Self::of("polynomial", only("coefficients", coefficients))
+        Self::of("polynomial", one_property("coefficients", coefficients))
     }
 
     /// A smooth spline through points [driver's displacement, displacement].
     pub fn table(points: impl Into<Node>) -> Self {
-        Self::of("table", only("points", points))
+        Self::of("table", one_property("points", points))
     }
 
     /// A slider-crank by the lengths (m) of crank and connecting rod.
     pub fn slider_crank(crank: impl Into<Node>, rod: impl Into<Node>) -> Self {
-        let mut links = only("crank", crank);
-        links.put("rod", rod);
+        let mut links = one_property("crank", crank);
+        links.set_property("rod", rod);
         Self::of("slider_crank", links)
     }
 
@@ -115,17 +115,17 @@ impl Position {
         rocker: impl Into<Node>,
         frame: impl Into<Node>,
     ) -> Self {
-        let mut links = only("crank", crank);
-        links.put("coupler", coupler);
-        links.put("rocker", rocker);
-        links.put("frame", frame);
+        let mut links = one_property("crank", crank);
+        links.set_property("coupler", coupler);
+        links.set_property("rocker", rocker);
+        links.set_property("frame", frame);
         Self::of("four_bar", links)
     }
 
     /// A slotted link by the lengths (m) of crank and frame.
     pub fn slotted_link(crank: impl Into<Node>, frame: impl Into<Node>) -> Self {
-        let mut links = only("crank", crank);
-        links.put("frame", frame);
+        let mut links = one_property("crank", crank);
+        links.set_property("frame", frame);
         Self::of("slotted_link", links)
     }
 
@@ -137,16 +137,16 @@ impl Position {
         return_angle: impl Into<Node>,
         law: impl Into<Node>,
     ) -> Self {
-        let mut cam = only("lift", lift);
-        cam.put("rise", rise);
-        cam.put("return", return_angle);
-        cam.put("law", law);
+        let mut cam = one_property("lift", lift);
+        cam.set_property("rise", rise);
+        cam.set_property("return", return_angle);
+        cam.set_property("law", law);
         Self::of("cam", cam)
     }
 
     /// A plan of motion: its [stations](Station), ascending.
     pub fn plan(stations: impl Into<Node>) -> Self {
-        Self::of("plan", only("stations", stations))
+        Self::of("plan", one_property("stations", stations))
     }
 
     /// A position function of your own.
@@ -158,7 +158,7 @@ impl Position {
     }
 
     fn option(mut self, name: &str, value: impl Into<Node>) -> Self {
-        self.node.property(self.function).put(name, value);
+        self.node.property(self.function).set_property(name, value);
         self
     }
 }
@@ -187,8 +187,8 @@ builder! {
 impl Station {
     /// At a displacement of the driver, or a time, the object is at a displacement.
     pub fn at(at: impl Into<Node>, displacement: impl Into<Node>) -> Self {
-        let mut station = only("at", at);
-        station.put("displacement", displacement);
+        let mut station = one_property("at", at);
+        station.set_property("displacement", displacement);
         Self(station)
     }
 }
@@ -200,28 +200,28 @@ pub struct Law(Node);
 impl Law {
     /// The SCCA family with the shares `b` and `d`.
     pub fn scca(b: impl Into<Node>, d: impl Into<Node>) -> Self {
-        let mut scca = only("b", b);
-        scca.put("d", d);
-        Self(only("scca", scca))
+        let mut scca = one_property("b", b);
+        scca.set_property("d", d);
+        Self(one_property("scca", scca))
     }
 
     /// The general trapezoid of a run-up with the shares `s1` and `s2`.
     pub fn trapezoid(s1: impl Into<Node>, s2: impl Into<Node>) -> Self {
-        let mut trapezoid = only("s1", s1);
-        trapezoid.put("s2", s2);
-        Self(only("trapezoid", trapezoid))
+        let mut trapezoid = one_property("s1", s1);
+        trapezoid.set_property("s2", s2);
+        Self(one_property("trapezoid", trapezoid))
     }
 
     /// Points of a table.
     pub fn table(points: impl Into<Node>) -> Self {
-        Self(only("table", points))
+        Self(one_property("table", points))
     }
 
     /// The polynomial with the derivatives given at its start and its end.
     pub fn polynomial(start: impl Into<Node>, end: impl Into<Node>) -> Self {
-        let mut polynomial = only("start", start);
-        polynomial.put("end", end);
-        Self(only("polynomial", polynomial))
+        let mut polynomial = one_property("start", start);
+        polynomial.set_property("end", end);
+        Self(one_property("polynomial", polynomial))
     }
 }
 

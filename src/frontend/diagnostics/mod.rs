@@ -107,7 +107,7 @@ impl Diagnostic {
     }
 
     /// Adds another place.
-    pub fn also(mut self, place: Place, label: impl Into<String>) -> Self {
+    pub fn with_place(mut self, place: Place, label: impl Into<String>) -> Self {
         self.related.push(RelatedPlace {
             place,
             label: label.into(),

@@ -28,7 +28,7 @@ pub(super) fn render(diagnostics: &Diagnostics, colour: bool) -> String {
     };
     let mut text = String::new();
     for item in diagnostics.items.iter().take(MOST) {
-        text.push_str(&harmless(
+        text.push_str(&without_control_characters(
             &renderer.render(&[group(diagnostics, item)]),
             colour,
         ));
@@ -40,7 +40,7 @@ pub(super) fn render(diagnostics: &Diagnostics, colour: bool) -> String {
 
 /// An excerpt may hold control characters that the renderer lets pass; its own
 /// escape sequences are colours.
-fn harmless(rendered: &str, colour: bool) -> String {
+fn without_control_characters(rendered: &str, colour: bool) -> String {
     if !colour {
         return printable(rendered);
     }

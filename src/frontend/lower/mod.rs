@@ -39,7 +39,7 @@ pub fn lower(scene: &TypedScene) -> Result<Model, Vec<Fault>> {
         driving.chain(&one.mentions).cloned()
     });
     let followed = followed.collect();
-    let builder = ModelBuilder::new(parts(&graph), scene.run.duration, explicit);
+    let builder = ModelBuilder::new(object_parts(&graph), scene.run.duration, explicit);
     let mut builder = builder.with_followed(followed);
     for id in order {
         let entry = &scene.objects[id];
@@ -72,7 +72,7 @@ fn count_masses(model: &mut Model) {
 
 /// The objects of a mechanism and their outputs, without nodes, in the order of their
 /// ids.
-fn parts(graph: &MechanismGraph<'_>) -> Vec<ObjectPart> {
+fn object_parts(graph: &MechanismGraph<'_>) -> Vec<ObjectPart> {
     let part = |id: String, kind, coordinate| ObjectPart {
         id,
         kind,

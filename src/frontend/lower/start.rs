@@ -36,7 +36,7 @@ fn explicit(states: &BTreeMap<String, (Vec<f64>, Vec<f64>)>, builder: &mut Model
             builder.other_faults().add(path, message, "");
             continue;
         };
-        if let Some(reduced) = builder.model().reduced(object) {
+        if let Some(reduced) = builder.model().reduction_of(object) {
             let modes: Vec<NodeIndex> = reduced.modes.iter().map(|mode| mode.0).collect();
             whole_body(builder, &modes, &path, [displacement, speed], &mut explicit);
             continue;

@@ -11,9 +11,9 @@ use super::measures::Measures;
 use super::spec::{BodySpec, InertiaSplit, Level, Uniform};
 use crate::frontend::read::Fields;
 use serde_json::json;
-use sound::sound;
+use sound::check_overflow;
 use std::f64::consts::TAU;
-use written::{BodyFields, written};
+use written::{BodyFields, read_body_fields};
 
 /// Most masses of one object.
 pub(super) const MOST_MASSES: u64 = 10_000;
@@ -50,28 +50,28 @@ pub(super) fn read(
     beam: Beam,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
-    let written = written(fields, own, beam);
+    let written = read_body_fields(fields, own, beam);
     let mut clash = false;
     for (one, other) in CLASHES {
         clash |= fields.clash(one, other, "they give the same parameter in two ways");
     }
     let written = written.filter(|_| !clash)?;
     if let Some(modes) = written.modes {
-        return modal(fields, written, modes, default_split);
+        return read_modal(fields, written, modes, default_split);
     }
     if written.masses == Some(Masses::Auto) {
-        return open(fields, written, default_split);
+        return read_body_of_open_level(fields, written, default_split);
     }
-    let masses = number_of_masses(fields, &written)?;
+    let masses = read_number_of_masses(fields, &written)?;
     fields.fill_in("masses", json!(masses));
     if masses == 0 {
-        return rigid(fields, &written);
+        return read_rigid(fields, &written);
     }
-    elastic(fields, written, masses, default_split)
+    read_elastic_body(fields, written, masses, default_split)
 }
 
 /// The number of masses, with which all lists must agree.
-fn number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usize> {
+fn read_number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usize> {
     let shares = match &written.split {
         Some(InertiaSplit::Shares(shares)) => Some(shares.len()),
         _ => None,
@@ -115,11 +115,11 @@ fn number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usi
 
 /// Stiffness and damping of a rigid object are left unused, so that the number
 /// of masses can be varied down to 0.
-fn rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
+fn read_rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
     match written.inertia() {
         Some(inertia) => Some(BodySpec::Rigid { inertia }),
         None => {
-            fields.lack(
+            fields.note_missing(
                 "inertia",
                 Some("give `inertia` (0 for a massless object) or `geometry`".to_owned()),
             );
@@ -129,7 +129,7 @@ fn rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
 }
 
 /// An object that is reduced to its lowest modes; without any, to static flexibility.
-fn modal(
+fn read_modal(
     fields: &mut Fields<'_>,
     written: BodyFields,
     modes: usize,
@@ -139,12 +139,12 @@ fn modal(
         0 => Level::Static,
         count => Level::Modes { count },
     };
-    let uniform = continuum(fields, &written, default_split)?;
-    sound(fields, uniform.at(level))
+    let uniform = read_continuum(fields, &written, default_split)?;
+    check_overflow(fields, uniform.at(level))
 }
 
 /// An object of which the run chooses how much is modelled.
-fn open(
+fn read_body_of_open_level(
     fields: &mut Fields<'_>,
     written: BodyFields,
     default_split: InertiaSplit,
@@ -165,12 +165,12 @@ fn open(
             .push("leave `lumping` out, or give a number of masses".to_owned());
         return None;
     }
-    let uniform = continuum(fields, &written, default_split)?;
-    sound(fields, BodySpec::Open(uniform))
+    let uniform = read_continuum(fields, &written, default_split)?;
+    check_overflow(fields, BodySpec::Open(uniform))
 }
 
 /// The uniform object that totals describe.
-fn continuum(
+fn read_continuum(
     fields: &mut Fields<'_>,
     written: &BodyFields,
     default_split: InertiaSplit,
@@ -198,7 +198,7 @@ fn continuum(
     })
 }
 
-fn elastic(
+fn read_elastic_body(
     fields: &mut Fields<'_>,
     written: BodyFields,
     masses: usize,
@@ -226,7 +226,7 @@ fn elastic(
             split,
             lumping,
         };
-        return sound(fields, body);
+        return check_overflow(fields, body);
     }
     let split_up = |inertia: f64| {
         shares(&split, masses)
@@ -245,7 +245,7 @@ fn elastic(
         stiffnesses,
         dampings,
     };
-    sound(fields, body)
+    check_overflow(fields, body)
 }
 
 /// Why what is written is no continuum, cut into cells.
@@ -274,7 +274,7 @@ fn check_elastic(
     let no_inertia = inertia.is_none() && written.inertias.is_none();
     let no_stiffness = stiffness.is_none() && written.stiffnesses.is_none();
     if no_inertia {
-        fields.lack(
+        fields.note_missing(
             "inertia",
             Some("give `inertia`, `inertias` or `geometry`".to_owned()),
         );
@@ -282,7 +282,7 @@ fn check_elastic(
     if no_stiffness {
         let hint =
             "give `stiffness`, `stiffnesses` or `geometry`, or `masses`: 0 for a rigid object";
-        fields.lack("stiffness", Some(hint.to_owned()));
+        fields.note_missing("stiffness", Some(hint.to_owned()));
     }
     if inertia == Some(0.0) {
         let message = "`inertia` must be greater than 0 for an elastic object";

@@ -1,7 +1,7 @@
 //! The position function of a cam.
 
-use super::law::law;
-use super::measures::{Measures, any};
+use super::law::read_law;
+use super::measures::{Measures, read_quantity};
 
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::motion::LawSpec;
@@ -31,9 +31,9 @@ pub(super) fn read(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
         let laws = fields.need(
             "law",
             "Law of motion of both, or an object with one for the rise and one for the return.",
-            rise_and_return_laws,
+            read_rise_and_return_laws,
         );
-        let phase = phase(fields);
+        let phase = read_phase(fields);
         let (rise_law, return_law) = laws?;
         let spec = CamSpec {
             lift: lift?,
@@ -44,20 +44,20 @@ pub(super) fn read(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
             return_law,
             phase: phase?,
         };
-        whole_turn(fields, spec, rest?).map(PositionSpec::Cam)
+        read_whole_turn(fields, spec, rest?).map(PositionSpec::Cam)
     })
 }
 
-fn rise_and_return_laws(slot: Slot<'_>) -> Option<(LawSpec, LawSpec)> {
+fn read_rise_and_return_laws(slot: Slot<'_>) -> Option<(LawSpec, LawSpec)> {
     let apart = |slot: Slot<'_>| {
         slot.record(|fields| {
-            let rise = fields.need("rise", "Law of the rise.", law);
-            let back = fields.need("return", "Law of the return, run backwards.", law);
+            let rise = fields.need("rise", "Law of the rise.", read_law);
+            let back = fields.need("return", "Law of the return, run backwards.", read_law);
             Some((rise?, back?))
         })
     };
     let same = |slot: Slot<'_>| {
-        let law = law(slot)?;
+        let law = read_law(slot)?;
         Some((law.clone(), law))
     };
     if slot.describing() {
@@ -72,7 +72,7 @@ fn rise_and_return_laws(slot: Slot<'_>) -> Option<(LawSpec, LawSpec)> {
 }
 
 /// The angles must fit into one turn, and fill it when `rest` is given.
-fn whole_turn(fields: &mut Fields<'_>, spec: CamSpec, rest: Option<f64>) -> Option<CamSpec> {
+fn read_whole_turn(fields: &mut Fields<'_>, spec: CamSpec, rest: Option<f64>) -> Option<CamSpec> {
     let degrees = |angle: f64| (angle.to_degrees() * 1e6).round() / 1e6;
     let used = spec.rise + spec.dwell + spec.return_angle;
     if used > TAU + SLACK {
@@ -102,11 +102,11 @@ fn whole_turn(fields: &mut Fields<'_>, spec: CamSpec, rest: Option<f64>) -> Opti
     Some(spec)
 }
 
-pub(super) fn phase(fields: &mut Fields<'_>) -> Option<f64> {
+pub(super) fn read_phase(fields: &mut Fields<'_>) -> Option<f64> {
     fields.or(
         "phase",
         "Added to the driver's angle",
         json!(0.0),
-        any(q::ANGLE),
+        read_quantity(q::ANGLE),
     )
 }

@@ -38,7 +38,7 @@ pub(super) fn find_contact_stiffness(
                     }
                     return Some(());
                 }
-                Err(none) => words(none),
+                Err(none) => describe_missing_stiffness(none),
             }
         }
     };
@@ -47,7 +47,7 @@ pub(super) fn find_contact_stiffness(
     None
 }
 
-fn words(none: NoStiffness) -> (&'static str, &'static str) {
+fn describe_missing_stiffness(none: NoStiffness) -> (&'static str, &'static str) {
     match none {
         NoStiffness::Material => (
             "the stiffness of its contact is to follow from its cam, of whose material nothing is known",

@@ -39,7 +39,7 @@ pub(super) fn read(
     let doc = "Geometry of the disc cam that realises the position function: for `dam cam`, and \
                with a `material` for the pressure of a run; not for the dynamics.";
     let found = fields.maybe("cam", doc, |slot| {
-        slot.defined(definition, |slot| geometry(slot, follower))
+        slot.defined(definition, |slot| read_geometry(slot, follower))
     });
     if fields.has("cam") && context.driver == Some(Coordinate::Sliding) {
         let message = "a disc cam turns, but the driver of this object slides";
@@ -52,7 +52,7 @@ pub(super) fn read(
     found
 }
 
-fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry> {
+fn read_geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry> {
     slot.record(|fields| {
         let base_radius = fields.need(
             "base_radius",
@@ -60,7 +60,7 @@ fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry>
             |slot| slot.quantity(q::LENGTH, Bounds::POSITIVE),
         );
         let contact = fields.need("contact", "What of the follower touches the cam.", |slot| {
-            contact(slot, follower)
+            read_contact(slot, follower)
         });
         let surface = fields.or(
             "surface",
@@ -80,7 +80,7 @@ fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry>
             json!("counterclockwise"),
             |slot| slot.choice(&SENSES),
         );
-        let guide = guide(fields, follower, contact);
+        let guide = read_guide(fields, follower, contact);
         let upright = match follower {
             Some(Coordinate::Turning) => 0.0,
             _ => FRAC_PI_2,
@@ -99,7 +99,7 @@ fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry>
                 slot.pair(end, end)
             },
         );
-        let material = material(fields, contact);
+        let material = read_material(fields, contact);
         Some(CamGeometry {
             base_radius: base_radius?,
             guide: guide?,
@@ -115,7 +115,7 @@ fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry>
 }
 
 /// What cam and follower are made of; an edge presses on no line that has a width.
-fn material(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Option<CamMaterial>> {
+fn read_material(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Option<CamMaterial>> {
     let doc = "Material of follower and cam, the counter-body: for the Hertzian pressure between \
                them.";
     let found = fields.maybe("material", doc, |slot| {
@@ -146,7 +146,7 @@ fn material(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Option<
     found
 }
 
-fn contact(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
+fn read_contact(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
     slot.object_or(
         |slot| {
             slot.record(|fields| {
@@ -159,15 +159,15 @@ fn contact(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
                         Some(Contact::Roller { radius })
                     },
                 );
-                kinds.case("flat", "A flat face.", |slot| flat(slot, follower));
+                kinds.case("flat", "A flat face.", |slot| read_flat(slot, follower));
                 kinds.finish()
             })
         },
-        knife_edge,
+        read_knife_edge,
     )
 }
 
-fn knife_edge(mut slot: Slot<'_>) -> Option<Contact> {
+fn read_knife_edge(mut slot: Slot<'_>) -> Option<Contact> {
     if slot.describing() {
         return slot.choice(&[("knife_edge", Contact::KnifeEdge)]);
     }
@@ -183,7 +183,7 @@ fn knife_edge(mut slot: Slot<'_>) -> Option<Contact> {
     None
 }
 
-fn flat(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
+fn read_flat(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
     slot.record(|fields| {
         let turning = follower == Some(Coordinate::Turning);
         let sliding = follower == Some(Coordinate::Sliding);
@@ -224,7 +224,7 @@ fn flat(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
 }
 
 /// The properties of both guides, those of the other one refused.
-fn guide(
+fn read_guide(
     fields: &mut Fields<'_>,
     follower: Option<Coordinate>,
     contact: Option<Contact>,
@@ -244,18 +244,18 @@ fn guide(
         wrong |= fields.forbid("offset", message, hint);
     }
     let found = match follower {
-        Some(Coordinate::Turning) => swinging(fields, contact),
-        Some(Coordinate::Sliding) => straight(fields),
+        Some(Coordinate::Turning) => read_swinging(fields, contact),
+        Some(Coordinate::Sliding) => read_straight(fields),
         None => {
             // The schema shows both.
-            let _ = (straight(fields), swinging(fields, contact));
+            let _ = (read_straight(fields), read_swinging(fields, contact));
             None
         }
     };
     found.filter(|_| !wrong)
 }
 
-fn straight(fields: &mut Fields<'_>) -> Option<Guide> {
+fn read_straight(fields: &mut Fields<'_>) -> Option<Guide> {
     let offset = fields.or(
         "offset",
         "Distance of the follower's line from the cam's axis, positive to the side on which the cam's surface moves outwards",
@@ -265,7 +265,7 @@ fn straight(fields: &mut Fields<'_>) -> Option<Guide> {
     Some(Guide::Translating { offset: offset? })
 }
 
-fn swinging(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Guide> {
+fn read_swinging(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Guide> {
     let centre_distance = fields.maybe(
         "centre_distance",
         "Distance between the axes of cam and follower",
@@ -286,11 +286,11 @@ fn swinging(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Guide> 
         return None;
     }
     if centre_distance == Some(None) {
-        fields.lack("centre_distance", None);
+        fields.note_missing("centre_distance", None);
     }
     let flat = matches!(contact, Some(Contact::Flat { .. }));
     if arm == Some(None) && contact.is_some() && !flat {
-        fields.lack("arm", None);
+        fields.note_missing("arm", None);
     }
     let (centre_distance, arm) = (centre_distance?, arm?);
     Some(Guide::Turning {

@@ -50,7 +50,7 @@ impl Object for ChainObject {
     }
 
     fn ports(&self) -> Ports {
-        Ports::driven(self.chain.coordinate)
+        Ports::with_one_driver(self.chain.coordinate)
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
@@ -141,8 +141,8 @@ pub fn object(
 pub fn read(fields: &mut Fields<'_>, context: &Context<'_>, rules: &Rules) -> Option<ChainSpec> {
     let own = Measures(rules.coordinate);
     let driver = Measures(context.driver);
-    let lever = lever(fields, own);
-    let position = position(fields, own, driver, rules);
+    let lever = read_lever(fields, own);
+    let position = read_position(fields, own, driver, rules);
     let chain = read_behind(fields, context, context.driver, rules, position);
     Some(ChainSpec {
         lever: lever?,
@@ -191,7 +191,7 @@ pub fn read_behind(
 }
 
 /// `lever_ratio`, or `lever_arm` where turning becomes sliding.
-fn lever(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+fn read_lever(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     let ratio = fields.maybe("lever_ratio", "Factor on the position function.", |slot| {
         slot.number(Bounds::NOT_ZERO)
     });
@@ -208,7 +208,7 @@ fn lever(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     (!clash).then(|| ratio.or(arm).unwrap_or(1.0))
 }
 
-fn position(
+fn read_position(
     fields: &mut Fields<'_>,
     own: Measures,
     driver: Measures,

@@ -1,7 +1,7 @@
 //! Contact elements.
 
 use super::contact_geometry::{self, ContactType, Follows};
-use super::load::number;
+use super::load::read_number;
 use super::measures::Measures;
 use super::spec::{ContactSpec, OnCamSpec};
 use crate::dynamics::laws::contact::{self as kinds, CONTACT_LAWS, ContactForceLaw};
@@ -13,13 +13,13 @@ use serde_json::json;
 /// Reads a contact element.
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
     slot.record(|fields| {
-        let law = law(fields);
+        let law = read_law(fields);
         let from = fields.maybe(
             "from",
             "Geometry from which the stiffness follows, in its place.",
             |slot| contact_geometry::read(slot, own),
         );
-        let of_power = law.is_some_and(ContactForceLaw::is_of_power);
+        let of_power = law.is_some_and(ContactForceLaw::has_power_stiffness);
         let stiffness = fields.maybe("stiffness", &doc_of_stiffness(), |slot| match of_power {
             // (Units have whole exponents.)
             true => slot.number(Bounds::POSITIVE),
@@ -27,10 +27,10 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
         });
         let mut numbers = Vec::new();
         for (parameter, doc) in kinds::properties() {
-            let read = |slot: Slot<'_>| number(slot, parameter, own);
+            let read = |slot: Slot<'_>| read_number(slot, parameter, own);
             numbers.push((parameter.key, fields.maybe(parameter.key, &doc, read)));
         }
-        let stiffness = stiffness_of(fields, law?, from?, stiffness?);
+        let stiffness = read_stiffness_of(fields, law?, from?, stiffness?);
         let numbers = numbers
             .into_iter()
             .map(|(key, value)| Some((key, value?)))
@@ -51,7 +51,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
 }
 
 /// Reads which law it is: without a name a rigid one, where its number is given.
-fn law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
+fn read_law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
     let meant = CONTACT_LAWS
         .iter()
         .find(|law| law.is_rigid() && law.parameters.iter().all(|own| fields.has(own.key)));
@@ -66,7 +66,7 @@ fn doc_of_stiffness() -> String {
     format!(
         "Stiffness k of the contact; of {} K, a bare number in N/m^(3/2) or N m/rad^(3/2) where \
          the exponent is 3/2; none of {}",
-        kinds::keys(ContactForceLaw::is_of_power, "`", "and"),
+        kinds::keys(ContactForceLaw::has_power_stiffness, "`", "and"),
         kinds::keys(ContactForceLaw::is_rigid, "`", "and")
     )
 }
@@ -80,7 +80,7 @@ struct Stiffness {
 }
 
 /// The stiffness as given, or from the geometry of a contact that has such a law.
-fn stiffness_of(
+fn read_stiffness_of(
     fields: &mut Fields<'_>,
     law: &ContactForceLaw,
     from: Option<Follows>,
@@ -109,7 +109,7 @@ fn stiffness_of(
     let Some(from) = from else {
         if stiffness.is_none() {
             let hint = "give it, or the geometry that it follows from, `from`";
-            fields.lack("stiffness", Some(hint.to_owned()));
+            fields.note_missing("stiffness", Some(hint.to_owned()));
         }
         let given = |value: f64| Stiffness {
             value,
@@ -143,7 +143,7 @@ fn stiffness_of(
             format!("set `law` to {}, or give a `line`", laws("\"")),
         ),
         ContactType::Line => (
-            !law.is_of_power(),
+            !law.has_power_stiffness(),
             format!("the law `{}` is that of a contact in a point", law.key),
             "give a `point`, or another `law`".to_owned(),
         ),
@@ -178,7 +178,7 @@ fn with_numbers(
     for own in law.parameters {
         let given = numbers.iter().find(|(key, _)| *key == own.key);
         let Some(value) = given.and_then(|(_, value)| *value).or(own.usual) else {
-            fields.lack(own.key, Some(format!("the law `{}` needs it", law.key)));
+            fields.note_missing(own.key, Some(format!("the law `{}` needs it", law.key)));
             return None;
         };
         values.push(value);

@@ -39,7 +39,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
             "line",
             "Contact along a line (roller, flat face): k is the secant N/p at a stated load.",
             |slot| {
-                let (stiffness, pressure) = slot.record(|fields| line(fields, own))?;
+                let (stiffness, pressure) = slot.record(|fields| read_line(fields, own))?;
                 Some(Follows::Here(ContactType::Line, stiffness, pressure))
             },
         );
@@ -47,7 +47,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
             "point",
             "Contact in a point, by Hertz: K; the law is `hertz`.",
             |slot| {
-                let (stiffness, pressure) = slot.record(|fields| point(fields, own))?;
+                let (stiffness, pressure) = slot.record(|fields| read_point(fields, own))?;
                 Some(Follows::Here(ContactType::Point, stiffness, pressure))
             },
         );
@@ -55,13 +55,13 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
             "cam",
             "Contact along a line with the object's own `cam`, of its `material`: radii, width and moduli are \
              those, k is the secant N/p at a stated load.",
-            |slot| Some(Follows::OnCam(slot.record(on_cam)?)),
+            |slot| Some(Follows::OnCam(slot.record(read_on_cam)?)),
         );
         shape.finish()
     })
 }
 
-fn on_cam(fields: &mut Fields<'_>) -> Option<OnCamSpec> {
+fn read_on_cam(fields: &mut Fields<'_>) -> Option<OnCamSpec> {
     let load = fields.need(
         "load",
         "Contact force along the normal at which k is the secant N/p",
@@ -71,9 +71,9 @@ fn on_cam(fields: &mut Fields<'_>) -> Option<OnCamSpec> {
         "Angle of the cam at which they touch; absent: where its profile is most sharply convex";
     let angle = fields.maybe("at", doc, |slot| slot.quantity(q::ANGLE, Bounds::ANY));
     let doc = "Depth below a flat face from which its approach is counted";
-    let depth = positive_length(fields, "depth", doc);
+    let depth = read_positive_length(fields, "depth", doc);
     let doc = "Depth below the cam's surface from which its approach is counted, where that is flat or hollow";
-    let cam_depth = positive_length(fields, "cam_depth", doc);
+    let cam_depth = read_positive_length(fields, "cam_depth", doc);
     Some(OnCamSpec {
         load: load?,
         angle: angle?,
@@ -81,23 +81,27 @@ fn on_cam(fields: &mut Fields<'_>) -> Option<OnCamSpec> {
     })
 }
 
-fn length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<Option<f64>> {
+fn read_length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<Option<f64>> {
     fields.maybe(name, doc, |slot| slot.quantity(q::LENGTH, Bounds::NOT_ZERO))
 }
 
-fn positive_length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<Option<f64>> {
+fn read_positive_length(
+    fields: &mut Fields<'_>,
+    name: &'static str,
+    doc: &str,
+) -> Option<Option<f64>> {
     fields.maybe(name, doc, |slot| slot.quantity(q::LENGTH, Bounds::POSITIVE))
 }
 
 /// The arm on which the contact acts: 1 of what slides.
-fn arm(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+fn read_arm(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     let doc = "Arm on which the contact acts, of an object that turns";
     match own.0 {
         Some(Coordinate::Sliding) => Some(1.0),
         Some(Coordinate::Turning) => fields.need("arm", doc, |slot| {
             slot.quantity(q::LENGTH, Bounds::POSITIVE)
         }),
-        None => Some(positive_length(fields, "arm", doc)?.unwrap_or(1.0)),
+        None => Some(read_positive_length(fields, "arm", doc)?.unwrap_or(1.0)),
     }
 }
 
@@ -135,16 +139,16 @@ fn curvature(radius: Option<f64>) -> f64 {
     radius.map_or(0.0, f64::recip)
 }
 
-fn point(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)> {
+fn read_point(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)> {
     let doc = "Radius of the object: positive convex, negative hollow; absent: flat";
-    let radius = length(fields, "radius", doc);
+    let radius = read_length(fields, "radius", doc);
     let doc = "Radius of the object across its motion; absent: `radius`, a ball";
-    let crown = length(fields, "crown_radius", doc);
+    let crown = read_length(fields, "crown_radius", doc);
     let doc = "Radius of the counter-body: positive convex, negative hollow; absent: flat";
-    let counter = length(fields, "counter_radius", doc);
+    let counter = read_length(fields, "counter_radius", doc);
     let doc = "Radius of the counter-body across the motion; absent: flat";
-    let counter_crown = length(fields, "counter_crown_radius", doc);
-    let (materials, arm) = (materials(fields), arm(fields, own));
+    let counter_crown = read_length(fields, "counter_crown_radius", doc);
+    let (materials, arm) = (materials(fields), read_arm(fields, own));
     let (radius, crown, counter, counter_crown) = (radius?, crown?, counter?, counter_crown?);
     let along = curvature(radius) + curvature(counter);
     let across = curvature(crown.or(radius)) + curvature(counter_crown);
@@ -162,15 +166,15 @@ fn point(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure
     Some((stiffness * arm.powf(2.5), pressure.on_arm(arm)))
 }
 
-fn line(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)> {
+fn read_line(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)> {
     let doc = "Radius of the object: positive convex, negative hollow; absent: flat";
-    let radius = length(fields, "radius", doc);
+    let radius = read_length(fields, "radius", doc);
     let doc = "Depth below the object's surface from which its approach is counted, where that is flat or hollow";
-    let depth = positive_length(fields, "depth", doc);
+    let depth = read_positive_length(fields, "depth", doc);
     let doc = "Radius of the counter-body: positive convex, negative hollow; absent: flat";
-    let counter = length(fields, "counter_radius", doc);
+    let counter = read_length(fields, "counter_radius", doc);
     let doc = "Depth below the counter-body's surface from which its approach is counted, where that is flat or hollow";
-    let counter_depth = positive_length(fields, "counter_depth", doc);
+    let counter_depth = read_positive_length(fields, "counter_depth", doc);
     let width = fields.need("width", "Length of the line of contact", |slot| {
         slot.quantity(q::LENGTH, Bounds::POSITIVE)
     });
@@ -179,7 +183,7 @@ fn line(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)
         "Contact force at which k is the secant N/p",
         |slot| slot.quantity(q::FORCE, Bounds::POSITIVE),
     );
-    let (materials, arm) = (materials(fields), arm(fields, own));
+    let (materials, arm) = (materials(fields), read_arm(fields, own));
     let own = backing(fields, radius?, depth?, ["radius", "depth"]);
     let other = backing(
         fields,
@@ -227,7 +231,7 @@ fn backing(
             let hint = format!(
                 "the approach of a flat or hollow body is counted from a depth; or give a `{radius_name}` greater than 0"
             );
-            fields.lack(depth_name, Some(hint));
+            fields.note_missing(depth_name, Some(hint));
             None
         }
     }

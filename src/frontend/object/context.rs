@@ -135,7 +135,7 @@ impl<'a> Context<'a> {
                 "name what drives it: {}",
                 quoted_list(others.take(20), "or")
             );
-            fields.lack(property, Some(hint));
+            fields.note_missing(property, Some(hint));
             return None;
         };
         let coordinate = self.objects.get(&output).and_then(|known| known.coordinate);

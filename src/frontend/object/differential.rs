@@ -27,7 +27,7 @@ use crate::frontend::read::{Bounds, Fields, Node, Slot};
 use crate::kinematics::constraint::{Constraint, ConstraintFunction};
 use crate::kinematics::position::PositionSpec;
 use crate::units::quantities as q;
-use combination::{Combination, combination, combine};
+use combination::{Combination, read_combination, read_combine};
 use serde_json::json;
 use std::sync::Arc;
 
@@ -134,10 +134,12 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
     let doc = "What it sums, by name: at least two.";
     let inputs = fields.need("inputs", doc, |slot| {
         slot.names(|name, slot| {
-            slot.defined("differential_input", |slot| input(slot, name, own, context))
+            slot.defined("differential_input", |slot| {
+                read_input(slot, name, own, context)
+            })
         })
     });
-    let combination = combination(fields);
+    let combination = read_combination(fields);
     let doc = "Output where every input is at zero; default 0";
     let offset = fields.maybe("offset", doc, |slot| {
         slot.quantity(own.displacement(), Bounds::ANY)
@@ -149,7 +151,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
     let chain = chain::read_behind(fields, context, coordinate, &rules(coordinate), position);
     let written: Vec<InputStatement> = inputs?;
     let (combination, offset) = (combination?, offset?);
-    let inputs = combine(fields, &written, &combination, coordinate?)?;
+    let inputs = read_combine(fields, &written, &combination, coordinate?)?;
     let own = match combination {
         Combination::Own(constraint) => Some(constraint),
         _ => None,
@@ -167,7 +169,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
     }))
 }
 
-fn input(
+fn read_input(
     slot: Slot<'_>,
     name: &str,
     own: Measures,

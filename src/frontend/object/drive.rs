@@ -1,6 +1,6 @@
 //! Drives: where motion comes from.
 
-use super::law::run_law;
+use super::law::read_run_law;
 use super::load::{On, read_all};
 use super::measures::Measures;
 use super::motor;
@@ -9,7 +9,7 @@ use super::spec::{DriveMotionSpec, DriveSpec};
 use super::written;
 use super::{Context, Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, Node, Slot, points};
+use crate::frontend::read::{Bounds, Fields, Node, Slot, read_points};
 use crate::units::quantities as q;
 use serde_json::json;
 
@@ -63,7 +63,7 @@ impl Object for Drive {
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
-        into.drive(at, &self.spec);
+        into.add_drive(at, &self.spec);
     }
 
     fn masses(&self) -> usize {
@@ -79,7 +79,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<(Coordinate, D
     let own = Measures(coordinate);
     let mut source = fields.one_of("what drives it");
     source.case("motion", "Prescribed motion.", |slot| {
-        motion(slot, own).map(DriveSpec::Prescribed)
+        read_motion(slot, own).map(DriveSpec::Prescribed)
     });
     source.case("motor", "A motor.", |slot| {
         motor::read(slot, own, context).map(DriveSpec::Motor)
@@ -109,7 +109,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<(Coordinate, D
     Some((coordinate?, spec))
 }
 
-fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
+fn read_motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
     slot.record(|fields| {
         let mut motion = fields.one_of("the motion");
         motion.case("speed", "Constant speed", |slot| {
@@ -129,7 +129,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
             })
         });
         motion.case("run_up", "Smooth run-up from rest to a speed.", |slot| {
-            slot.record(|fields| run_up(fields, own))
+            slot.record(|fields| read_run_up(fields, own))
         });
         motion.case(
             "plan",
@@ -140,7 +140,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
             "table",
             "List of [time, displacement], at least three: a smooth spline through the points.",
             |slot| {
-                let points = points(slot, q::TIME, own.displacement(), 3)?;
+                let points = read_points(slot, q::TIME, own.displacement(), 3)?;
                 Some(DriveMotionSpec::Table { points })
             },
         );
@@ -148,7 +148,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
             "expression",
             "Displacement as an expression of t in s: \"0.1*sin(2*pi*t)\"; speed, acceleration and jerk follow from it.",
             |slot| {
-                let expression = written::expression(slot, &[("t", 0)])?;
+                let expression = written::read_expression(slot, &[("t", 0)])?;
                 Some(DriveMotionSpec::Written {
                     expression,
                     factor: 1.0,
@@ -156,11 +156,11 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
             },
         );
         let motion = motion.finish();
-        let unit = written::unit(fields, own.displacement());
+        let unit = written::read_unit(fields, own.displacement());
         if written::require_expression(fields, &["expression"]) {
             return None;
         }
-        let start = start(fields, own);
+        let start = read_start(fields, own);
         let doc = "Speed at t = 0, with `acceleration`; default 0";
         let start_speed = fields.maybe("start_speed", doc, |slot| {
             slot.quantity(own.speed(), Bounds::ANY)
@@ -169,7 +169,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
         if let DriveMotionSpec::Written { factor, .. } = &mut motion {
             *factor = unit?.unwrap_or(1.0);
         }
-        place(fields, motion, start, start_speed)
+        apply_start(fields, motion, start, start_speed)
     })
 }
 
@@ -182,7 +182,7 @@ fn start_name(own: Measures) -> &'static str {
 }
 
 /// Displacement at t = 0, beside `speed` or `acceleration`: its property and value.
-fn start(fields: &mut Fields<'_>, own: Measures) -> Option<(&'static str, Option<f64>)> {
+fn read_start(fields: &mut Fields<'_>, own: Measures) -> Option<(&'static str, Option<f64>)> {
     let name = start_name(own);
     if fields.describing() {
         let doc = "Displacement at t = 0 of a drive that slides, with `speed` or `acceleration`; default 0";
@@ -198,7 +198,7 @@ fn start(fields: &mut Fields<'_>, own: Measures) -> Option<(&'static str, Option
 }
 
 /// Puts the start into the motions that it belongs to.
-fn place(
+fn apply_start(
     fields: &mut Fields<'_>,
     mut motion: DriveMotionSpec,
     (name, start): (&'static str, Option<f64>),
@@ -236,16 +236,16 @@ fn place(
     Some(motion)
 }
 
-fn run_up(fields: &mut Fields<'_>, own: Measures) -> Option<DriveMotionSpec> {
+fn read_run_up(fields: &mut Fields<'_>, own: Measures) -> Option<DriveMotionSpec> {
     let speed = fields.need("speed", "Final speed", |slot| {
         slot.quantity(own.speed(), Bounds::NOT_ZERO)
     });
     let time = fields.need("time", "Duration of the run-up", |slot| {
         slot.quantity(q::TIME, Bounds::POSITIVE)
     });
-    let angle = motor::start(fields, own);
+    let angle = motor::read_start(fields, own);
     let doc = "Law of the run-up; default: speed 3τ² − 2τ³ of the final one.";
-    let law = fields.maybe("law", doc, run_law);
+    let law = fields.maybe("law", doc, read_run_law);
     Some(DriveMotionSpec::RunUp {
         speed: speed?,
         time: time?,

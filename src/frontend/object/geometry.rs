@@ -28,9 +28,9 @@ pub(super) fn read(slot: Slot<'_>, beam: Beam) -> Option<Elastic> {
     let path = slot.path().to_owned();
     slot.record(|fields| {
         let elastic = match beam {
-            Beam::Lever => lever(fields),
-            Beam::Shaft => shaft(fields),
-            Beam::Rod => rod(fields),
+            Beam::Lever => read_lever(fields),
+            Beam::Shaft => read_shaft(fields),
+            Beam::Rod => read_rod(fields),
         }?;
         let sound = |value: f64| value.is_finite() && value > 0.0;
         if sound(elastic.inertia) && sound(elastic.stiffness) {
@@ -45,7 +45,7 @@ pub(super) fn read(slot: Slot<'_>, beam: Beam) -> Option<Elastic> {
     })
 }
 
-fn positive(
+fn read_positive(
     fields: &mut Fields<'_>,
     name: &'static str,
     doc: &str,
@@ -54,38 +54,38 @@ fn positive(
     fields.need(name, doc, |slot| slot.quantity(wanted, Bounds::POSITIVE))
 }
 
-fn density(fields: &mut Fields<'_>) -> Option<f64> {
-    positive(fields, "density", "Density of the material", q::DENSITY)
+fn read_density(fields: &mut Fields<'_>) -> Option<f64> {
+    read_positive(fields, "density", "Density of the material", q::DENSITY)
 }
 
-fn youngs_modulus(fields: &mut Fields<'_>) -> Option<f64> {
+fn read_youngs_modulus(fields: &mut Fields<'_>) -> Option<f64> {
     let doc = "Young's modulus of the material";
-    positive(fields, "modulus", doc, q::MODULUS)
+    read_positive(fields, "modulus", doc, q::MODULUS)
 }
 
 /// J = ρ·w·h·L³/3, c = 3·E·I/L, I = w·h³/12: a force F at the tip bends the
 /// lever by F·L³/(3EI), a turn of F·L²/(3EI) for the moment F·L.
-fn lever(fields: &mut Fields<'_>) -> Option<Elastic> {
-    let length = positive(
+fn read_lever(fields: &mut Fields<'_>) -> Option<Elastic> {
+    let length = read_positive(
         fields,
         "length",
         "Length from the axis to the tip",
         q::LENGTH,
     );
-    let width = positive(
+    let width = read_positive(
         fields,
         "width",
         "Width of the section, along the axis",
         q::LENGTH,
     );
-    let height = positive(
+    let height = read_positive(
         fields,
         "height",
         "Height of the section, in the plane of motion",
         q::LENGTH,
     );
-    let density = density(fields);
-    let modulus = youngs_modulus(fields);
+    let density = read_density(fields);
+    let modulus = read_youngs_modulus(fields);
     let (length, width, height) = (length?, width?, height?);
     Some(Elastic {
         inertia: density? * width * height * length.powi(3) / 3.0,
@@ -94,22 +94,22 @@ fn lever(fields: &mut Fields<'_>) -> Option<Elastic> {
 }
 
 /// J = ρ·π·(D⁴ − d⁴)·L/32, c = G·π·(D⁴ − d⁴)/(32·L).
-fn shaft(fields: &mut Fields<'_>) -> Option<Elastic> {
-    let length = positive(
+fn read_shaft(fields: &mut Fields<'_>) -> Option<Elastic> {
+    let length = read_positive(
         fields,
         "length",
         "Length between driver and follower",
         q::LENGTH,
     );
-    let outer = positive(fields, "diameter", "Outer diameter", q::LENGTH);
+    let outer = read_positive(fields, "diameter", "Outer diameter", q::LENGTH);
     let inner = fields.or(
         "bore",
         "Diameter of the bore, less than `diameter`",
         0.0.into(),
         |slot| slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE),
     );
-    let density = density(fields);
-    let modulus = positive(
+    let density = read_density(fields);
+    let modulus = read_positive(
         fields,
         "shear_modulus",
         "Shear modulus of the material",
@@ -129,8 +129,8 @@ fn shaft(fields: &mut Fields<'_>) -> Option<Elastic> {
 }
 
 /// m = ρ·A·L, c = E·A/L.
-fn rod(fields: &mut Fields<'_>) -> Option<Elastic> {
-    let length = positive(fields, "length", "Length", q::LENGTH);
+fn read_rod(fields: &mut Fields<'_>) -> Option<Elastic> {
+    let length = read_positive(fields, "length", "Length", q::LENGTH);
     let mut section = fields.one_of("its section");
     section.case("area", "Area of the section", |slot| {
         slot.quantity(q::AREA, Bounds::POSITIVE)
@@ -149,8 +149,8 @@ fn rod(fields: &mut Fields<'_>) -> Option<Elastic> {
         },
     );
     let area = section.finish();
-    let density = density(fields);
-    let modulus = youngs_modulus(fields);
+    let density = read_density(fields);
+    let modulus = read_youngs_modulus(fields);
     let (length, area) = (length?, area?);
     Some(Elastic {
         inertia: density? * area * length,

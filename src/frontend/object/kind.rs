@@ -72,7 +72,7 @@ impl Inputs {
     pub(crate) fn ports(self, node: &Node) -> Vec<(&str, Option<&str>)> {
         match self {
             Self::None => Vec::new(),
-            Self::OneOrSeveral => self.written(node).ports(node),
+            Self::OneOrSeveral => self.alternative_in_text(node).ports(node),
             Self::One => vec![(super::INPUT, node.get(super::INPUT).and_then(Node::text))],
             Self::Several => {
                 let inputs = node.get("inputs").map_or(&[][..], Node::members);
@@ -86,7 +86,7 @@ impl Inputs {
     }
 
     /// Which of its alternatives the text of an object has.
-    pub(crate) fn written(self, node: &Node) -> Self {
+    pub(crate) fn alternative_in_text(self, node: &Node) -> Self {
         match (self, node.get("inputs")) {
             (Self::OneOrSeveral, Some(_)) => Self::Several,
             (Self::OneOrSeveral, None) => Self::One,
@@ -120,7 +120,7 @@ impl Registry {
 
     /// With a further kind, which takes the place of one of the same name.
     #[must_use]
-    pub fn with(mut self, kind: Kind) -> Self {
+    pub fn with_kind(mut self, kind: Kind) -> Self {
         match self.kinds.iter_mut().find(|known| known.name == kind.name) {
             Some(known) => *known = kind,
             None => self.kinds.push(kind),

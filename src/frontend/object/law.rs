@@ -2,7 +2,9 @@
 
 use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostics, Place, Source, Sources};
-use crate::frontend::read::{Bounds, Fields, Node, Reader, Slot, Value, parse_fragment, points};
+use crate::frontend::read::{
+    Bounds, Fields, Node, Reader, Slot, Value, parse_fragment, read_points,
+};
 use crate::kinematics::motion::law::{MOST_CONDITIONS, PolynomialSpec, SectionsSpec, TABLE_POINTS};
 use crate::kinematics::motion::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 use crate::units::quantities as q;
@@ -10,31 +12,32 @@ use serde_json::json;
 use std::sync::Arc;
 
 /// Reads the law of a full stroke: a name, or an object with its parameters.
-pub(crate) fn law(slot: Slot<'_>) -> Option<LawSpec> {
+pub(crate) fn read_law(slot: Slot<'_>) -> Option<LawSpec> {
     slot.defined("law", |mut slot| {
         let names = LawName::ALL.map(|name| (name.name(), LawSpec::Named(name)));
-        let spec =
-            slot.read_in_place(|slot| slot.object_or(composed, |slot| slot.choice(&names)))?;
+        let spec = slot
+            .read_in_place(|slot| slot.object_or(read_composed_law, |slot| slot.choice(&names)))?;
         match Law::of_stroke(&spec) {
             Ok(_) => Some(spec),
-            Err(faults) => refuse(slot, faults),
+            Err(faults) => refuse_law(slot, faults),
         }
     })
 }
 
 /// Reads the law of a run-up: a name, or an object with its parameters.
-pub(crate) fn run_law(slot: Slot<'_>) -> Option<RunLawSpec> {
+pub(crate) fn read_run_law(slot: Slot<'_>) -> Option<RunLawSpec> {
     slot.defined("run_law", |mut slot| {
         let names = RunLawName::ALL.map(|name| (name.name(), RunLawSpec::from(name)));
-        let spec = slot.read_in_place(|slot| slot.object_or(run_up, |slot| slot.choice(&names)))?;
+        let spec =
+            slot.read_in_place(|slot| slot.object_or(read_run_up, |slot| slot.choice(&names)))?;
         match Law::of_run_up(&spec) {
             Ok(_) => Some(spec),
-            Err(faults) => refuse(slot, faults),
+            Err(faults) => refuse_law(slot, faults),
         }
     })
 }
 
-fn refuse<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
+fn refuse_law<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
     for fault in faults {
         let message = match fault.path.as_str() {
             "" => fault.message,
@@ -48,12 +51,12 @@ fn refuse<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
     None
 }
 
-fn share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
+fn read_share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
     fields.need(name, doc, |slot| slot.number(Bounds::between(0.0, 1.0)))
 }
 
 /// Reads a law given by its parameters.
-pub(super) fn composed(slot: Slot<'_>) -> Option<LawSpec> {
+pub(super) fn read_composed_law(slot: Slot<'_>) -> Option<LawSpec> {
     slot.record(|fields| {
         let mut kind = fields.one_of("its law");
         kind.case(
@@ -61,33 +64,37 @@ pub(super) fn composed(slot: Slot<'_>) -> Option<LawSpec> {
             "Sine, constant and cosine acceleration, symmetric.",
             |slot| {
                 slot.record(|fields| {
-                    let b = share(fields, "b", "Share of the sines at both ends together.");
-                    let d = share(fields, "d", "Share of the cosine about the middle.");
+                    let b = read_share(fields, "b", "Share of the sines at both ends together.");
+                    let d = read_share(fields, "d", "Share of the cosine about the middle.");
                     Some(LawSpec::Scca { b: b?, d: d? })
                 })
             },
         );
         kind.case("sections", "Run-up, uniform motion and run-out.", |slot| {
-            sections(slot).map(LawSpec::Sections)
+            read_sections(slot).map(LawSpec::Sections)
         });
         kind.case(
             "polynomial",
             "Polynomial from conditions at its ends; θ and θ′ are 0, 0 and 1, 0 there.",
-            |slot| polynomial(slot).map(LawSpec::Polynomial),
+            |slot| read_polynomial(slot).map(LawSpec::Polynomial),
         );
         kind.case(
             "table",
             "List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, at rest at both ends.",
-            |slot| table(slot).map(LawSpec::Table),
+            |slot| read_table(slot).map(LawSpec::Table),
         );
         kind.finish()
     })
 }
 
-fn sections(slot: Slot<'_>) -> Option<SectionsSpec> {
+fn read_sections(slot: Slot<'_>) -> Option<SectionsSpec> {
     slot.record(|fields| {
-        let up = fields.need("run_up", "Law of the run-up.", run_law);
-        let out = fields.need("run_out", "Law of the run-out, run backwards.", run_law);
+        let up = fields.need("run_up", "Law of the run-up.", read_run_law);
+        let out = fields.need(
+            "run_out",
+            "Law of the run-out, run backwards.",
+            read_run_law,
+        );
         let skewness = fields.or(
             "skewness",
             "Duration of the run-out by that of the run-up.",
@@ -109,7 +116,7 @@ fn sections(slot: Slot<'_>) -> Option<SectionsSpec> {
     })
 }
 
-fn run_up(slot: Slot<'_>) -> Option<RunLawSpec> {
+fn read_run_up(slot: Slot<'_>) -> Option<RunLawSpec> {
     slot.record(|fields| {
         let mut kind = fields.one_of("its law");
         kind.case(
@@ -118,8 +125,8 @@ fn run_up(slot: Slot<'_>) -> Option<RunLawSpec> {
              together at most 1.",
             |slot| {
                 slot.record(|fields| {
-                    let s1 = share(fields, "s1", "Share of the rise, a quarter sine.");
-                    let s2 = share(fields, "s2", "Share of the fall, a quarter cosine.");
+                    let s1 = read_share(fields, "s1", "Share of the rise, a quarter sine.");
+                    let s2 = read_share(fields, "s2", "Share of the fall, a quarter cosine.");
                     Some(RunLawSpec::Trapezoid { s1: s1?, s2: s2? })
                 })
             },
@@ -127,18 +134,18 @@ fn run_up(slot: Slot<'_>) -> Option<RunLawSpec> {
         kind.case(
             "polynomial",
             "Polynomial from conditions at its ends; θ and θ′ are 0, 0 at the start, θ is 1 at the end.",
-            |slot| polynomial(slot).map(RunLawSpec::Polynomial),
+            |slot| read_polynomial(slot).map(RunLawSpec::Polynomial),
         );
         kind.case(
             "table",
             "List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, from rest.",
-            |slot| table(slot).map(RunLawSpec::Table),
+            |slot| read_table(slot).map(RunLawSpec::Table),
         );
         kind.finish()
     })
 }
 
-fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
+fn read_polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
     slot.record(|fields| {
         let numbers =
             |slot: Slot<'_>| slot.list(1..=MOST_CONDITIONS, |slot| slot.number(Bounds::ANY));
@@ -165,9 +172,9 @@ fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
     })
 }
 
-fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
+fn read_table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
     let least = *TABLE_POINTS.start();
-    let found = slot.read_in_place(|slot| points(slot, q::NUMBER, q::NUMBER, least))?;
+    let found = slot.read_in_place(|slot| read_points(slot, q::NUMBER, q::NUMBER, least))?;
     if found.len() > *TABLE_POINTS.end() {
         let message = format!("a law takes at most {} points", TABLE_POINTS.end());
         slot.refuse("wrong-length", message);
@@ -190,7 +197,7 @@ impl AnyLaw {
     ///
     /// # Errors
     /// Everything wrong with its numbers.
-    pub fn law(&self) -> Result<Law, Vec<Fault>> {
+    pub fn read_law(&self) -> Result<Law, Vec<Fault>> {
         match self {
             Self::Stroke(spec) => Law::of_stroke(spec),
             Self::RunUp(spec) => Law::of_run_up(spec),
@@ -213,7 +220,7 @@ impl AnyLaw {
 /// What a scene would be told of it.
 pub fn stroke_law(text: &str) -> Result<LawSpec, Diagnostics> {
     let text = shorthand(text, "scca", ["b", "d"]);
-    read_argument("law", &text, law)
+    read_argument("law", &text, read_law)
 }
 
 /// The law of a run-up as an argument gives it: a name, `trapezoid:s1,s2`, or
@@ -223,7 +230,7 @@ pub fn stroke_law(text: &str) -> Result<LawSpec, Diagnostics> {
 /// What a scene would be told of it.
 pub fn run_up_law(text: &str) -> Result<RunLawSpec, Diagnostics> {
     let text = shorthand(text, "trapezoid", ["s1", "s2"]);
-    read_argument("law", &text, run_law)
+    read_argument("law", &text, read_run_law)
 }
 
 /// A law of either kind; of names that both have, the stroke's.

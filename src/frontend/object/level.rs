@@ -18,7 +18,7 @@ pub(super) enum Masses {
 }
 
 /// Reads `masses`.
-pub(super) fn masses(mut slot: Slot<'_>, most: u64) -> Option<Masses> {
+pub(super) fn read_masses(mut slot: Slot<'_>, most: u64) -> Option<Masses> {
     let text = slot.node().and_then(|node| node.text());
     if let Some(text) = text.filter(|text| *text != "auto" && !slot.is_formula()) {
         let message = format!("`masses` must be a whole number or \"auto\", found {text:?}");

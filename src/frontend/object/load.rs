@@ -9,7 +9,7 @@ use super::{table_period, written};
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::laws::{self, Domain, ForceLaw, LawInstance, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, read_points};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -66,9 +66,9 @@ fn read(slot: Slot<'_>, name: &str, on: On, context: &Context<'_>) -> Option<Loa
     slot.record(|fields| {
         let mass = match on {
             On::Rotor(_) | On::Output { .. } => Some(MassChoice::Last),
-            On::Chain { masses, .. } => chosen_mass(fields, masses),
+            On::Chain { masses, .. } => read_chosen_mass(fields, masses),
         };
-        let law = law(fields, on, context);
+        let law = read_law(fields, on, context);
         Some(LoadSpec {
             name: name.to_owned(),
             mass: mass?,
@@ -79,10 +79,10 @@ fn read(slot: Slot<'_>, name: &str, on: On, context: &Context<'_>) -> Option<Loa
 
 /// `mass`: a weight acts on every mass unless said otherwise, all other loads
 /// on the last.
-fn chosen_mass(fields: &mut Fields<'_>, masses: Option<usize>) -> Option<MassChoice> {
+fn read_chosen_mass(fields: &mut Fields<'_>, masses: Option<usize>) -> Option<MassChoice> {
     let doc = "Mass it acts on: `last`, `first`, `all`, or its number from 1; \
                default `all` for a weight, `last` for everything else.";
-    let given = fields.maybe("mass", doc, |slot| mass(slot, masses))?;
+    let given = fields.maybe("mass", doc, |slot| read_mass(slot, masses))?;
     let (name, usual) = match fields.has("weight") {
         true => ("all", MassChoice::All),
         false => ("last", MassChoice::Last),
@@ -93,7 +93,7 @@ fn chosen_mass(fields: &mut Fields<'_>, masses: Option<usize>) -> Option<MassCho
     Some(given.unwrap_or(usual))
 }
 
-fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
+fn read_mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
     let names = [
         ("last", MassChoice::Last),
         ("first", MassChoice::First),
@@ -112,7 +112,7 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
     })
 }
 
-fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLawSpec> {
+fn read_law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLawSpec> {
     if let Some(load) = fields.own("A load given in code.") {
         return Some(LoadLawSpec::Custom(load));
     }
@@ -127,17 +127,17 @@ fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLaw
     law.case(
         "time_table",
         "List of [time, force]: linear between the points, constant outside.",
-        |slot| points(slot, q::TIME, force, 1).map(LoadLawSpec::TimeTable),
+        |slot| read_points(slot, q::TIME, force, 1).map(LoadLawSpec::TimeTable),
     );
     law.case(
         "position_table",
         "Force over the driver's displacement, or that of the object `over`.",
-        |slot| position_table(slot, axis.measures, force),
+        |slot| read_position_table(slot, axis.measures, force),
     );
     law.case(
         "window",
         "Constant force while the driver, or the object `over`, is between two positions.",
-        |slot| window(slot, axis.measures, force),
+        |slot| read_window(slot, axis.measures, force),
     );
     for own_law in laws::OF_LOADS {
         law.case(own_law.key, own_law.doc, |slot| {
@@ -146,12 +146,12 @@ fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLaw
     }
     // An output has no mass of its own.
     if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output { .. }) {
-        law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
+        law.case("weight", "Weight: W = −m·g·sin(inclination).", read_weight);
     }
     written_laws::add(&mut law, on, axis);
     let is_given = law.is_given();
     let law = law.finish();
-    let factor = written::unit(fields, force);
+    let factor = written::read_unit(fields, force);
     let doc = "Another object or output: `press`, `press.ram`; the name of the drive for the \
                machine angle. `window`, `position_table`, `harmonic` and `indicator` refer to its \
                displacement in place of the driver's. `expression` knows its motion as over_phi \
@@ -223,21 +223,25 @@ fn misplaced_over(fields: &mut Fields<'_>) -> bool {
     fields.forbid("over", message, hint)
 }
 
-fn period(fields: &mut Fields<'_>, driver: Measures, doc: &str) -> Option<Option<f64>> {
+fn read_period(fields: &mut Fields<'_>, driver: Measures, doc: &str) -> Option<Option<f64>> {
     fields.maybe("period", doc, |slot| {
         slot.quantity(driver.displacement(), Bounds::POSITIVE)
     })
 }
 
-fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<LoadLawSpec> {
+fn read_position_table(
+    slot: Slot<'_>,
+    driver: Measures,
+    force: QuantityChoice,
+) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let points = fields.need(
             "points",
             "List of [displacement of the driver or of `over`, force]: linear between the points.",
-            |slot| points(slot, driver.displacement(), force, 1),
+            |slot| read_points(slot, driver.displacement(), force, 1),
         );
         let doc = "Repeats after this much of that displacement; without it the force is constant outside the points";
-        let period = period(fields, driver, doc);
+        let period = read_period(fields, driver, doc);
         let (points, period) = (points?, period?);
         let length = points[points.len() - 1].0 - points[0].0;
         if let Some(period) = period
@@ -264,7 +268,7 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Op
     })
 }
 
-fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<LoadLawSpec> {
+fn read_window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let edge = |slot: Slot<'_>| slot.quantity(driver.displacement(), Bounds::ANY);
         let from = fields.need("from", "Start of the window", edge);
@@ -279,7 +283,7 @@ fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<Loa
             json!(false),
             |slot| slot.flag(),
         );
-        let period = period(fields, driver, doc);
+        let period = read_period(fields, driver, doc);
         let (from, to, force, once, period) = (from?, to?, force?, once?, period?);
         if to <= from {
             let message = "`to` must be greater than `from`";
@@ -317,7 +321,7 @@ fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<Loa
     })
 }
 
-fn weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
+fn read_weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let inclination = fields.need(
             "inclination",
@@ -331,7 +335,7 @@ fn weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
 }
 
 /// Reads a number of a law that the library declares.
-pub(super) fn number(slot: Slot<'_>, parameter: &Parameter, own: Measures) -> Option<f64> {
+pub(super) fn read_number(slot: Slot<'_>, parameter: &Parameter, own: Measures) -> Option<f64> {
     let bounds = match parameter.domain {
         Domain::Any => Bounds::ANY,
         Domain::NotNegative => Bounds::NOT_NEGATIVE,
@@ -357,7 +361,7 @@ pub(super) fn declared(
     law: &'static ForceLaw,
     own: Measures,
 ) -> Option<LawInstance> {
-    let number = |slot: Slot<'_>, parameter: &Parameter| number(slot, parameter, own);
+    let number = |slot: Slot<'_>, parameter: &Parameter| read_number(slot, parameter, own);
     let values = match law.parameters {
         [alone] if alone.key.is_empty() => vec![number(slot, alone)?],
         several => slot.record(|fields| {

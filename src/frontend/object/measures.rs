@@ -136,7 +136,7 @@ pub(super) struct PositionMeasures {
     pub(super) driver: Measures,
 }
 
-pub(super) fn any(wanted: impl Into<QuantityChoice>) -> impl Fn(Slot<'_>) -> Option<f64> {
+pub(super) fn read_quantity(wanted: impl Into<QuantityChoice>) -> impl Fn(Slot<'_>) -> Option<f64> {
     let wanted = wanted.into();
     move |slot| slot.quantity(wanted, Bounds::ANY)
 }

@@ -4,7 +4,7 @@
 //! the model, through a [`ModelBuilder`]. Its [`Kind`] says how it is read from a
 //! scene; kinds live in a [`Registry`]. A new kind of this library is one file, with its
 //! builder, and two lines in this one (`ARCHITECTURE.md` says what else goes with it); one of
-//! another crate is added with [`Registry::with`].
+//! another crate is added with [`Registry::with_kind`].
 //!
 //! `Ports` are named inputs, none, one or several, and outputs. The first output is the
 //! object's own displacement; the others have an address such as `press.ram`. A connection
@@ -67,7 +67,7 @@ pub use linkage::Linkage;
 pub use measures::Measures;
 pub(crate) use own::OwnObject;
 pub use ports::{INPUT, OWN, Port, Ports};
-pub(in crate::frontend) use written::condition;
+pub(in crate::frontend) use written::read_condition;
 
 /// An object of a mechanism.
 pub trait Object: fmt::Debug + Send + Sync {

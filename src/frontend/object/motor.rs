@@ -8,7 +8,7 @@ use super::written;
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::laws::{self, ForceLaw};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, Slot, points};
+use crate::frontend::read::{Bounds, Fields, Slot, read_points};
 use serde_json::json;
 
 pub(super) fn read(slot: Slot<'_>, own: Measures, context: &Context<'_>) -> Option<MotorSpec> {
@@ -18,19 +18,19 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, context: &Context<'_>) -> Opti
         let inertia = fields.need("inertia", doc, |slot| {
             slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
         });
-        let start = start(fields, own);
+        let start = read_start(fields, own);
         let speed = fields.or("speed", "Speed at t = 0", json!(0.0), |slot| {
             slot.quantity(own.speed(), Bounds::ANY)
         });
         let mut torque = fields.one_of("what it is driven by");
         if own.0 != Some(Coordinate::Sliding) {
             torque.case("torque", "Driving torque over speed.", |slot| {
-                slot.record(|fields| law(fields, Measures(Some(Coordinate::Turning)), context))
+                slot.record(|fields| read_law(fields, Measures(Some(Coordinate::Turning)), context))
             });
         }
         if own.0 != Some(Coordinate::Turning) {
             torque.case("force", "Driving force over speed.", |slot| {
-                slot.record(|fields| law(fields, Measures(Some(Coordinate::Sliding)), context))
+                slot.record(|fields| read_law(fields, Measures(Some(Coordinate::Sliding)), context))
             });
         }
         let torque = torque.finish();
@@ -45,7 +45,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, context: &Context<'_>) -> Opti
 }
 
 /// Reads where a drive is at t = 0: `angle`, or `displacement` where it slides.
-pub(super) fn start(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+pub(super) fn read_start(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     let read = |fields: &mut Fields<'_>, name, doc| {
         fields.or(name, doc, json!(0.0), |slot| {
             slot.quantity(own.displacement(), Bounds::ANY)
@@ -65,7 +65,7 @@ pub(super) fn start(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     }
 }
 
-fn law(fields: &mut Fields<'_>, own: Measures, context: &Context<'_>) -> Option<LoadLawSpec> {
+fn read_law(fields: &mut Fields<'_>, own: Measures, context: &Context<'_>) -> Option<LoadLawSpec> {
     let turns = own.0 == Some(Coordinate::Turning);
     let fields_have_over = fields.has("over");
     let mut law = fields.one_of(if turns { "the torque" } else { "the force" });
@@ -92,14 +92,14 @@ fn law(fields: &mut Fields<'_>, own: Measures, context: &Context<'_>) -> Option<
         false => "List of [speed, force]: linear between the points, constant outside.",
     };
     law.case("table", doc, |slot| {
-        points(slot, own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
+        read_points(slot, own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
     });
-    let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
+    let names = written::names_with_other_object(builder::OWN.to_vec(), fields_have_over);
     law.case(
         "expression",
         "Expression over t, phi and phi_dot of the drive, in s, rad or m: \"30*(1 - phi_dot/150)\".",
         |slot| {
-            let expression = written::expression(slot, &names)?;
+            let expression = written::read_expression(slot, &names)?;
             Some(LoadLawSpec::Written(WrittenSpec {
                 expression,
                 factor: 1.0,
@@ -108,8 +108,8 @@ fn law(fields: &mut Fields<'_>, own: Measures, context: &Context<'_>) -> Option<
         },
     );
     let law = law.finish();
-    let factor = written::unit(fields, own.force());
-    let over = written::over(fields, context);
+    let factor = written::read_unit(fields, own.force());
+    let over = written::read_over(fields, context);
     if written::require_expression(fields, &["expression"]) {
         return None;
     }

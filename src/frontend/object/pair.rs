@@ -42,7 +42,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             |slot| slot.choice(&[("+", 1.0), ("-", -1.0)]),
         );
         let law = fields.or("law", "Law of the contact force: `kelvin_voigt` c·p + b·ṗ, `hunt_crossley` c·p·(1 + κ·ṗ); c and b of link 1.", json!(law_of_link(Loss::Damper).key), |slot| {
-            law(slot, own)
+            read_law(slot, own)
         });
         let contact = fields.maybe(
             "contact",
@@ -65,7 +65,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
     })
 }
 
-fn law(slot: Slot<'_>, own: Measures) -> Option<Loss> {
+fn read_law(slot: Slot<'_>, own: Measures) -> Option<Loss> {
     let of_link = |law: &&ContactForceLaw| Some((law.key, law.pair_loss?));
     let names: Vec<_> = CONTACT_LAWS.iter().filter_map(of_link).collect();
     let with_factor = law_of_link(Loss::FactorOfDamper).key;

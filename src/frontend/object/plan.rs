@@ -1,6 +1,6 @@
 //! Plans of motion in scenes.
 
-use super::law::composed;
+use super::law::read_composed_law;
 use super::measures::Measures;
 use super::measures::PositionMeasures;
 use crate::dynamics::model::Coordinate;
@@ -53,7 +53,7 @@ fn read(mut slot: Slot<'_>, axes: Axes, period_doc: &str) -> Option<CycleSpec> {
         slot.record(|fields| {
             let doc = "Stations of the plan, ascending. The last one may close the period.";
             let stations = fields.need("stations", doc, |slot| {
-                slot.list(2..=MOST_STATIONS, |slot| station(slot, axes))
+                slot.list(2..=MOST_STATIONS, |slot| read_station(slot, axes))
             });
             let period = fields.maybe("period", period_doc, |slot| {
                 slot.quantity(axes.argument, Bounds::POSITIVE)
@@ -78,14 +78,16 @@ fn read(mut slot: Slot<'_>, axes: Axes, period_doc: &str) -> Option<CycleSpec> {
     match Cycle::new(&spec) {
         Ok(_) => Some(spec),
         Err(faults) => {
-            faults.iter().for_each(|fault| refuse(&mut slot, fault));
+            faults
+                .iter()
+                .for_each(|fault| refuse_plan(&mut slot, fault));
             None
         }
     }
 }
 
 /// Notes a fault of the plan at the station concerned, if there is one.
-fn refuse(slot: &mut Slot<'_>, fault: &Fault) {
+fn refuse_plan(slot: &mut Slot<'_>, fault: &Fault) {
     let number = fault.path.strip_prefix("stations[").and_then(|rest| {
         let (number, _) = rest.split_once(']')?;
         number.parse::<usize>().ok()
@@ -111,7 +113,7 @@ fn refuse(slot: &mut Slot<'_>, fault: &Fault) {
     }
 }
 
-fn station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
+fn read_station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
     slot.record(|fields| {
         let at = fields.need("at", "Displacement of the driver, or time", |slot| {
             slot.quantity(axes.argument, Bounds::ANY)
@@ -120,9 +122,9 @@ fn station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
             slot.quantity(axes.displacement, Bounds::ANY)
         });
         let doc = "First derivative there, taken by smooth motions that meet here";
-        let speed = prescribed(fields, "speed", doc, axes.speed);
+        let speed = read_prescribed(fields, "speed", doc, axes.speed);
         let doc = "Second derivative there, taken by smooth motions that meet here";
-        let acceleration = prescribed(fields, "acceleration", doc, axes.acceleration);
+        let acceleration = read_prescribed(fields, "acceleration", doc, axes.acceleration);
         let order = fields.or(
             "match",
             "Order of derivatives up to which smooth motions match their neighbour here.",
@@ -131,7 +133,7 @@ fn station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
         );
         let doc = "Motion from here to the next station: `dwell`, `uniform`, `smooth` (the \
                    polynomial that matches its neighbours), or a law from rest to rest.";
-        let motion = fields.or("motion", doc, json!("dwell"), motion);
+        let motion = fields.or("motion", doc, json!("dwell"), read_motion);
         Some(Station {
             at: at?,
             displacement: displacement?,
@@ -143,7 +145,7 @@ fn station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
     })
 }
 
-fn prescribed(
+fn read_prescribed(
     fields: &mut Fields<'_>,
     name: &'static str,
     doc: &str,
@@ -152,7 +154,7 @@ fn prescribed(
     fields.maybe(name, doc, |slot| slot.quantity(wanted, Bounds::ANY))
 }
 
-fn motion(slot: Slot<'_>) -> Option<Motion> {
+fn read_motion(slot: Slot<'_>) -> Option<Motion> {
     slot.defined("planned_motion", |slot| {
         let mut names = vec![
             ("dwell", Motion::Dwell),
@@ -162,7 +164,7 @@ fn motion(slot: Slot<'_>) -> Option<Motion> {
         let laws = LawName::ALL.map(|name| (name.name(), Motion::Law(LawSpec::Named(name))));
         names.extend(laws);
         slot.object_or(
-            |slot| composed(slot).map(Motion::Law),
+            |slot| read_composed_law(slot).map(Motion::Law),
             |slot| slot.choice(&names),
         )
     })

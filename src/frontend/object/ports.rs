@@ -59,7 +59,7 @@ impl Ports {
     }
 
     /// Ports of an object with one driver.
-    pub fn driven(own: Coordinate) -> Self {
+    pub fn with_one_driver(own: Coordinate) -> Self {
         Self {
             inputs: vec![Port::input(INPUT)],
             ..Self::source(own)

@@ -6,13 +6,13 @@ mod table_roughness;
 use super::cam;
 use super::measures::Measures;
 use super::measures::PositionMeasures;
-use super::measures::any;
+use super::measures::read_quantity;
 use super::{plan, table_period};
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
-use crate::frontend::read::{Bounds, Fields, Slot, points};
+use crate::frontend::read::{Bounds, Fields, Slot, read_points};
 use crate::kinematics::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
 use crate::units::quantities as q;
-use linkages::{four_bar, slider_crank, slotted_link};
+use linkages::{read_four_bar, read_slider_crank, read_slotted_link};
 use serde_json::json;
 
 /// Most coefficients of a polynomial.
@@ -39,7 +39,7 @@ pub(super) fn read(
     allowed: &[&str],
 ) -> Option<PositionSpec> {
     if let Some(function) = slot.own() {
-        return from_code(slot, function, allowed);
+        return read_from_code(slot, function, allowed);
     }
     slot.record(|fields| {
         let describing = fields.describing();
@@ -47,47 +47,47 @@ pub(super) fn read(
         let mut function = fields.one_of("the position function");
         if shown("ratio") {
             function.case("ratio", "Constant ratio: U = ratio·φ + offset.", |slot| {
-                ratio(slot, ends)
+                read_ratio(slot, ends)
             });
         }
         if shown("sine") {
             function.case(
                 "sine",
                 "U = amplitude·sin(harmonic·φ + phase) + offset.",
-                |slot| sine(slot, ends),
+                |slot| read_sine(slot, ends),
             );
         }
         if shown("polynomial") {
             function.case(
                 "polynomial",
                 "U = a₀ + a₁·φ + a₂·φ² + …",
-                |slot| polynomial(slot, ends),
+                |slot| read_polynomial(slot, ends),
             );
         }
         if shown("table") {
             function.case("table", "Smooth spline through given points.", |slot| {
-                table(slot, ends)
+                read_table(slot, ends)
             });
         }
         if shown("slider_crank") && ends.output.0 != Some(Turning) || !describing {
             function.case(
                 "slider_crank",
                 "Slider-crank: distance of the slide from the crank's axis.",
-                slider_crank,
+                read_slider_crank,
             );
         }
         if shown("four_bar") && ends.output.0 != Some(Sliding) || !describing {
             function.case(
                 "four_bar",
                 "Four-bar linkage: angle of the driven lever.",
-                four_bar,
+                read_four_bar,
             );
         }
         if shown("slotted_link") {
             function.case(
                 "slotted_link",
                 "Slotted link: crank and slotted link on fixed pivots, a block on the crank's end in the slot; crank or block drives.",
-                |slot| slotted_link(slot, ends.output),
+                |slot| read_slotted_link(slot, ends.output),
             );
         }
         if shown("cam") {
@@ -108,7 +108,7 @@ pub(super) fn read(
 }
 
 /// A function given in code: it fits where functions of any form do.
-fn from_code(
+fn read_from_code(
     mut slot: Slot<'_>,
     function: CustomPosition,
     allowed: &[&str],
@@ -195,7 +195,7 @@ fn check(
     fields.faults() == before
 }
 
-fn ratio(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
+fn read_ratio(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     let factor =
         move |slot: Slot<'_>| slot.quantity(ends.output.per(ends.driver), Bounds::NOT_ZERO);
     slot.object_or(
@@ -206,7 +206,7 @@ fn ratio(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
                     "offset",
                     "U at φ = 0",
                     json!(0.0),
-                    any(ends.output.displacement()),
+                    read_quantity(ends.output.displacement()),
                 );
                 Some(PositionSpec::Ratio {
                     ratio: ratio?,
@@ -221,12 +221,12 @@ fn ratio(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     )
 }
 
-fn sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
+fn read_sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     slot.record(|fields| {
         let amplitude = fields.need(
             "amplitude",
             "Half the stroke",
-            any(ends.output.displacement()),
+            read_quantity(ends.output.displacement()),
         );
         let turning = Measures(Some(Turning));
         let harmonic = fields.or(
@@ -235,12 +235,17 @@ fn sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             json!(1.0),
             |slot| slot.quantity(turning.per(ends.driver), Bounds::NOT_ZERO),
         );
-        let phase = fields.or("phase", "Phase at φ = 0", json!(0.0), any(q::ANGLE));
+        let phase = fields.or(
+            "phase",
+            "Phase at φ = 0",
+            json!(0.0),
+            read_quantity(q::ANGLE),
+        );
         let offset = fields.or(
             "offset",
             "Middle of the stroke",
             json!(0.0),
-            any(ends.output.displacement()),
+            read_quantity(ends.output.displacement()),
         );
         Some(PositionSpec::Sine {
             amplitude: amplitude?,
@@ -251,7 +256,7 @@ fn sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     })
 }
 
-fn polynomial(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
+fn read_polynomial(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     slot.record(|fields| {
         let coefficients = fields.need(
             "coefficients",
@@ -271,12 +276,12 @@ fn polynomial(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     })
 }
 
-fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
+fn read_table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     slot.record(|fields| {
         let points = fields.need(
             "points",
             "List of [driver's displacement, displacement], at least three, the first values ascending.",
-            |slot| points(slot, ends.driver.displacement(), ends.output.displacement(), 3),
+            |slot| read_points(slot, ends.driver.displacement(), ends.output.displacement(), 3),
         );
         let has_period = fields.has("period");
         let periodic = fields.or(
@@ -289,7 +294,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
         let period = fields.maybe("period", doc, |slot| {
             slot.quantity(ends.driver.displacement(), Bounds::POSITIVE)
         });
-        let slope = any(ends.output.per(ends.driver));
+        let slope = read_quantity(ends.output.per(ends.driver));
         let slopes = fields.or("end_slopes", "Slopes U′ at both ends of a table that is not periodic", json!([0.0, 0.0]), |slot| {
             slot.pair(&slope, &slope)
         });
@@ -303,14 +308,14 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             return None;
         }
         let points = match (periodic, period) {
-            (true, Some(period)) => table_period::closed(fields, points, period, ends.driver)?,
+            (true, Some(period)) => table_period::read_closed(fields, points, period, ends.driver)?,
             (true, None) => {
                 table_period::check(fields, &points, ends.driver)?;
                 points
             }
             (false, _) => points,
         };
-        table_roughness::warn(fields, &points);
+        table_roughness::warn_of_scatter(fields, &points);
         Some(PositionSpec::Table {
             points,
             periodic,

@@ -19,7 +19,7 @@ const GAP: f64 = 1.5;
 const ROUNDED: f64 = 0.02;
 
 /// The points of a period that is given, with the one that closes it.
-pub(super) fn closed(
+pub(super) fn read_closed(
     fields: &mut Fields<'_>,
     mut points: Vec<(f64, f64)>,
     period: f64,
@@ -35,7 +35,7 @@ pub(super) fn closed(
         return None;
     }
     if length >= period * (1.0 - 1e-12) {
-        returns(fields, &points, None)?;
+        read_returns(fields, &points, None)?;
         return Some(points);
     }
     points.push((first.0 + period, first.1));
@@ -63,7 +63,7 @@ pub(super) fn check(
         Some(Coordinate::Sliding) => None,
         Some(Coordinate::Turning) | None => likely_period(points),
     };
-    returns(fields, points, likely)?;
+    read_returns(fields, points, likely)?;
     if let Some(likely) = likely {
         let length = points[points.len() - 1].0 - points[0].0;
         let message = format!(
@@ -108,7 +108,7 @@ pub(super) fn check_single_turn(fields: &mut Fields<'_>, points: &[(f64, f64)], 
 }
 
 /// The last point of a period must have the displacement of the first.
-fn returns(fields: &mut Fields<'_>, points: &[(f64, f64)], likely: Option<f64>) -> Option<()> {
+fn read_returns(fields: &mut Fields<'_>, points: &[(f64, f64)], likely: Option<f64>) -> Option<()> {
     let (first, last) = (points[0].1, points[points.len() - 1].1);
     let size = points
         .iter()

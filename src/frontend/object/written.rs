@@ -7,7 +7,7 @@ use crate::frontend::read::{Fields, QuantityChoice, Slot};
 use crate::math::expression::{Expression, Mistake};
 
 /// Reads an expression whose kinks and jumps can be located.
-pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
+pub(super) fn read_expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
     let text = slot.read_in_place(|slot| slot.text())?;
     let read = slot.expression(&text, names);
     let located = |found: Option<Expression>| match &found {
@@ -17,15 +17,15 @@ pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression
     match read.and_then(located) {
         Ok(expression) => expression,
         Err(mistake) => {
-            refuse(&mut slot, mistake);
+            refuse_expression(&mut slot, mistake);
             None
         }
     }
 }
 
 /// Reads a condition: an expression that compares, so that it is either true or false.
-pub(in crate::frontend) fn condition(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
-    let read = slot.read_in_place(|slot| expression(slot, names))?;
+pub(in crate::frontend) fn read_condition(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
+    let read = slot.read_in_place(|slot| read_expression(slot, names))?;
     // What is no comparison changes without a jump, and says so where it has to decide.
     let deciding = slot.expression(&format!("({}) ? 1 : 0", read.text()), names);
     if deciding.is_ok_and(|deciding| deciding.is_some_and(|one| one.switches().is_ok())) {
@@ -39,7 +39,7 @@ pub(in crate::frontend) fn condition(mut slot: Slot<'_>, names: &Names) -> Optio
     None
 }
 
-fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
+fn refuse_expression(slot: &mut Slot<'_>, mistake: Mistake) {
     // The text's own bytes follow its opening quote.
     let (start, end) = (
         mistake.place.start + 1,
@@ -55,7 +55,7 @@ fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
 }
 
 /// Reads `unit`, what the value of an expression is in: the factor to SI units.
-pub(super) fn unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Option<f64>> {
+pub(super) fn read_unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Option<f64>> {
     let doc = "Unit of the value of `expression`; default SI";
     let factor = fields.maybe("unit", doc, |slot| slot.unit(wanted));
     let name = fields.quantity_in("expression").map(str::to_owned);
@@ -72,7 +72,7 @@ pub(super) fn unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Op
 }
 
 /// Reads `over`, the object to whose motion an expression refers besides.
-pub(super) fn over(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Option<String>> {
+pub(super) fn read_over(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Option<String>> {
     let doc = "Another object or output: `press`, `press.ram`. `expression` knows its motion as \
                over_phi and over_phi_dot.";
     context.mention(fields, "over", doc)
@@ -87,7 +87,7 @@ pub(super) fn in_unit(mut law: LoadLawSpec, factor: Option<f64>) -> LoadLawSpec 
 }
 
 /// The names that an expression may use, with those of another object where one is given.
-pub(super) fn with_over(
+pub(super) fn names_with_other_object(
     mut names: Vec<(&'static str, usize)>,
     over: bool,
 ) -> Vec<(&'static str, usize)> {

@@ -1,7 +1,7 @@
 //! Reading of values made of other values: objects, lists, alternatives.
 
 use super::fields::Fields;
-use super::slot::{Reading, Slot, join, last_name, store_into};
+use super::slot::{Reading, Slot, join_path, last_name, store_into};
 use super::tree::{Node, Value};
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeMap;
@@ -38,14 +38,14 @@ impl Slot<'_> {
         read: impl FnMut(&str, Slot<'_>) -> Option<T>,
     ) -> Option<BTreeMap<String, T>> {
         let mut values = BTreeMap::new();
-        let complete = self.members(&mut gathered(&mut values, read));
+        let complete = self.read_members(&mut gathered(&mut values, read));
         complete.then_some(values)
     }
 
     /// As [`Slot::map`], for values that hold their names: in the order of these.
     pub fn values<T>(self, read: impl FnMut(&str, Slot<'_>) -> Option<T>) -> Option<Vec<T>> {
         let mut values = Vec::new();
-        let complete = self.members(&mut gathered(&mut values, read));
+        let complete = self.read_members(&mut gathered(&mut values, read));
         complete.then(|| by_name(values))
     }
 
@@ -59,7 +59,7 @@ impl Slot<'_> {
 
     /// Reads the properties of an object with `read`, which says whether a
     /// value is sound; whether all are.
-    fn members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
+    fn read_members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
         if self.describing() {
             let schema = self.inner("*", None, &mut |slot| {
                 read("*", slot);
@@ -73,7 +73,7 @@ impl Slot<'_> {
         };
         let (mut canonical, mut complete) = (Map::new(), true);
         for member in members {
-            let path = join(&self.path, &member.name);
+            let path = join_path(&self.path, &member.name);
             let mut out = Json::Null;
             let slot = Slot {
                 reader: self.reader,
@@ -89,9 +89,9 @@ impl Slot<'_> {
         complete
     }
 
-    /// As [`Slot::members`], for names that serve as addresses.
+    /// As [`Slot::read_members`], for names that serve as addresses.
     fn named_members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
-        let complete = self.reborrow().members(&mut |name, mut slot| {
+        let complete = self.reborrow().read_members(&mut |name, mut slot| {
             let sound = slot.describing() || super::is_name(name);
             if !sound {
                 slot.refuse_name(name);
@@ -291,11 +291,11 @@ impl Slot<'_> {
     pub fn defined<T>(self, name: &str, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
         let describing = self.describing();
         let mut value = None;
-        self.once(name, &mut store_into(&mut value, read));
+        self.read_alternative(name, &mut store_into(&mut value, read));
         value.filter(|_| !describing)
     }
 
-    fn once(mut self, name: &str, read: Reading<'_>) {
+    fn read_alternative(mut self, name: &str, read: Reading<'_>) {
         if !self.describing() {
             return read(self);
         }

@@ -76,7 +76,7 @@ impl TableFile {
         wanted: [QuantityChoice; 2],
     ) -> Result<Vec<Row>, Faults> {
         let csv = Csv::new(&self.source.text, self.id).map_err(|fault| vec![*fault])?;
-        let chosen = csv.chosen(names).map_err(|fault| vec![*fault])?;
+        let chosen = csv.chosen_columns(names).map_err(|fault| vec![*fault])?;
         for (at, wanted) in chosen.into_iter().zip(wanted) {
             csv.check_unit(&csv.columns[at], wanted)
                 .map_err(|fault| vec![*fault])?;
@@ -95,7 +95,7 @@ impl TableFile {
     /// The same as a list in a scene has them; `None`: something is wrong.
     fn list(&self, names: Option<&[String; 2]>) -> Option<Vec<Node>> {
         let csv = Csv::new(&self.source.text, self.id).ok()?;
-        let chosen = csv.chosen(names).ok()?;
+        let chosen = csv.chosen_columns(names).ok()?;
         let mut rows = Vec::new();
         let read = csv.each_row(&mut |cells| {
             let pair = chosen.map(|at| {
@@ -180,7 +180,7 @@ impl<'f> Csv<'f> {
     }
 
     /// The two columns that are meant.
-    fn chosen(&self, names: Option<&[String; 2]>) -> Result<[usize; 2], Box<Diagnostic>> {
+    fn chosen_columns(&self, names: Option<&[String; 2]>) -> Result<[usize; 2], Box<Diagnostic>> {
         let all = || quoted_list(self.columns.iter().map(|one| one.name), "and");
         let header = || {
             let ends = self.columns.first().zip(self.columns.last());
@@ -233,7 +233,7 @@ impl<'f> Csv<'f> {
         let hint = format!("it is {}", wanted.words());
         if column.unit.is_empty() {
             // (A file in degrees would be read as radians, and nobody would see it.)
-            if parse("1").is_ok_and(|bare| wanted.accept(bare).is_ok()) {
+            if parse("1").is_ok_and(|bare| wanted.convert_measure(bare).is_ok()) {
                 return Ok(());
             }
             let message = format!("the column `{}` has no unit", column.name);
@@ -247,7 +247,7 @@ impl<'f> Csv<'f> {
             let message = format!("unknown unit `{}`", column.unit);
             return Err(Box::new(self.fault(message, place).hint(hint)));
         };
-        if wanted.accept(measure).is_ok() {
+        if wanted.convert_measure(measure).is_ok() {
             return Ok(());
         }
         let message = format!("the column `{}` has the wrong unit", column.name);
@@ -296,11 +296,11 @@ impl<'f> Csv<'f> {
         for (at, letter) in line.char_indices() {
             quoted ^= letter == '"';
             if letter == self.separator && !quoted {
-                cells.push(bare(line, from..at));
+                cells.push(trimmed_cell(line, from..at));
                 from = at + letter.len_utf8();
             }
         }
-        cells.push(bare(line, from..line.len()));
+        cells.push(trimmed_cell(line, from..line.len()));
         let moved = |cell: Range<usize>| cell.start + start..cell.end + start;
         cells.into_iter().map(moved).collect()
     }
@@ -353,7 +353,7 @@ impl<'f> Csv<'f> {
             "" => text.parse().ok(),
             unit => parse(&format!("{text} {unit}"))
                 .ok()
-                .and_then(|one| wanted.accept(one).ok()),
+                .and_then(|one| wanted.convert_measure(one).ok()),
         };
         let finite = value.filter(|value: &f64| value.is_finite());
         finite
@@ -373,7 +373,7 @@ fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
 }
 
 /// A cell without space and quotes.
-fn bare(line: &str, range: Range<usize>) -> Range<usize> {
+fn trimmed_cell(line: &str, range: Range<usize>) -> Range<usize> {
     let text = &line[range.clone()];
     let start = range.start + text.len() - text.trim_start().len();
     let text = text.trim();

@@ -22,7 +22,7 @@ impl Fields<'_> {
         self.maybe("dimensions", doc, |slot| {
             slot.names(|name, mut slot| {
                 let place = slot.name_place();
-                let value = slot.read_in_place(dimension);
+                let value = slot.read_in_place(read_dimension);
                 entries.push(Entry {
                     name: name.to_owned(),
                     place,
@@ -69,7 +69,7 @@ impl Fields<'_> {
         // What referred to it may have been set to another value from the command line.
         let overrides = self.reader.overrides.clone();
         let is_set = |node: &Node| overrides.contains(&node.place.source);
-        let set = node.is_some_and(|node| holds(node, &is_set));
+        let set = node.is_some_and(|node| any_below(node, &is_set));
         let replaced = |entry: &Entry| set && !overrides.contains(&entry.place.source);
         for entry in entries
             .iter()
@@ -101,17 +101,17 @@ impl Fields<'_> {
 }
 
 /// True where a node or one under it is as asked.
-fn holds(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
+fn any_below(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
     asked(node)
         || match &node.value {
-            Value::Object(members) => members.iter().any(|member| holds(&member.value, asked)),
-            Value::List(items) => items.iter().any(|item| holds(item, asked)),
+            Value::Object(members) => members.iter().any(|member| any_below(&member.value, asked)),
+            Value::List(items) => items.iter().any(|item| any_below(item, asked)),
             _ => false,
         }
 }
 
 /// Reads one named number.
-fn dimension(mut slot: Slot<'_>) -> Option<Measure> {
+fn read_dimension(mut slot: Slot<'_>) -> Option<Measure> {
     if slot.describing() {
         slot.describe(json!({
             "description": "A number in SI units, or a text with a unit.",
@@ -120,7 +120,7 @@ fn dimension(mut slot: Slot<'_>) -> Option<Measure> {
         return None;
     }
     let found = match &slot.node()?.value {
-        Value::Number(value) if value.is_finite() => Some(Measure::bare(*value)),
+        Value::Number(value) if value.is_finite() => Some(Measure::unitless(*value)),
         Value::Text(text) => slot.stated(text, &QuantityChoice::anything()),
         _ => {
             slot.wrong_type("a number");

@@ -3,7 +3,7 @@
 mod closing;
 
 use super::own::OWN;
-use super::slot::{Reader, Reading, Slot, join, push, store_into};
+use super::slot::{Reader, Reading, Slot, join_path, push, store_into};
 use super::suggest::quoted_list;
 use super::tree::{Member, Node, Value};
 use crate::frontend::diagnostics::{Diagnostic, Place, Severity};
@@ -87,7 +87,7 @@ impl<'a> Fields<'a> {
     /// The property as written, under any of its names; `None` when absent.
     pub fn member(&self, name: &str) -> Option<&'a Member> {
         let node = self.node?;
-        let other = || self.others(name).find_map(|other| node.member(other));
+        let other = || self.other_names(name).find_map(|other| node.member(other));
         node.member(name).or_else(other)
     }
 
@@ -102,7 +102,10 @@ impl<'a> Fields<'a> {
     }
 
     /// The other names of a property.
-    pub(super) fn others<'n>(&'n self, name: &'n str) -> impl Iterator<Item = &'static str> + 'n {
+    pub(super) fn other_names<'n>(
+        &'n self,
+        name: &'n str,
+    ) -> impl Iterator<Item = &'static str> + 'n {
         let own = self.synonyms.iter().filter(move |one| one.0 == name);
         own.map(|one| one.1)
     }
@@ -137,7 +140,7 @@ impl<'a> Fields<'a> {
         match presence {
             Presence::Written => value,
             Presence::Absent => {
-                self.lack(name, None);
+                self.note_missing(name, None);
                 None
             }
             Presence::Described => None,
@@ -179,7 +182,7 @@ impl<'a> Fields<'a> {
         if self.describing() {
             let mut schema = self.child(name, None, read);
             add_description(&mut schema, doc);
-            for other in self.others(name).collect::<Vec<_>>() {
+            for other in self.other_names(name).collect::<Vec<_>>() {
                 let mut same = schema.clone();
                 same["description"] = json!(format!("Another name of `{name}`."));
                 self.out.insert(other.to_owned(), same);
@@ -259,7 +262,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Notes that a property is missing (unless a misspelled one stands for it).
-    pub fn lack(&mut self, name: &'static str, hint: Option<String>) {
+    pub fn note_missing(&mut self, name: &'static str, hint: Option<String>) {
         let names = vec![name];
         self.missing.push(MissingProperty {
             names,
@@ -276,7 +279,7 @@ impl<'a> Fields<'a> {
         self.known.push(name);
         let fault = Diagnostic::error("contradiction", message)
             .at(member.name_place.clone())
-            .path(join(&self.path, name))
+            .path(join_path(&self.path, name))
             .hint(hint);
         self.reader.diagnostics.push(fault);
         true
@@ -292,7 +295,7 @@ impl<'a> Fields<'a> {
         let fault = Diagnostic::error(code, message)
             .at(self.value_place(name))
             .path(match self.member(name) {
-                Some(member) => join(&self.path, &member.name),
+                Some(member) => join_path(&self.path, &member.name),
                 None => self.path.clone(),
             });
         push(&mut self.reader.diagnostics, fault)
@@ -307,7 +310,7 @@ impl<'a> Fields<'a> {
     ) -> &mut Diagnostic {
         let warning = Diagnostic::warning(code, message)
             .at(self.value_place(name))
-            .path(join(&self.path, name));
+            .path(join_path(&self.path, name));
         push(&mut self.reader.diagnostics, warning)
     }
 
@@ -325,9 +328,9 @@ impl<'a> Fields<'a> {
             format!("`{}` and `{}` cannot both be given: {why}", a.name, b.name),
         )
         .at(late.name_place.clone())
-        .path(join(&self.path, &late.name))
+        .path(join_path(&self.path, &late.name))
         .label(format!("`{}` given here", late.name))
-        .also(
+        .with_place(
             early.name_place.clone(),
             format!("`{}` given here", early.name),
         )
@@ -343,7 +346,7 @@ impl<'a> Fields<'a> {
             reader: self.reader,
             node: found.map(|found| found.0),
             name_place: found.map(|found| found.1.clone()),
-            path: join(&self.path, name),
+            path: join_path(&self.path, name),
             out: &mut out,
         });
         out
@@ -362,7 +365,7 @@ impl<'a> Fields<'a> {
             complete = false;
             // A misspelled name has already been reported.
             let meant = |name: &str| suggestions.iter().flatten().any(|found| *found == name);
-            let misspelled = |name: &&'static str| meant(name) || self.others(name).any(meant);
+            let misspelled = |name: &&'static str| meant(name) || self.other_names(name).any(meant);
             if !missing.names.iter().any(misspelled) {
                 self.report_missing(&missing);
             }

@@ -73,7 +73,7 @@ fn after_number(text: &str, mistake: &Mistake) -> bool {
 
 /// The place of a mistake in a text; its bytes follow its opening quote, on the command line
 /// it has none.
-pub(super) fn place(whole: &Place, text: &str, mistake: &Mistake) -> Place {
+pub(super) fn place_of_mistake(whole: &Place, text: &str, mistake: &Mistake) -> Place {
     let quote = usize::from(whole.range.len() > text.len());
     let (start, end) = (mistake.place.start, mistake.place.end);
     whole.within(start + quote..end.max(start + 1) + quote)
@@ -122,7 +122,7 @@ impl Scope for NamedNumbers<'_> {
 }
 
 /// The names that a reader has in force.
-fn named(reader: &mut Reader) -> NamedNumbers<'_> {
+fn names_in_force(reader: &mut Reader) -> NamedNumbers<'_> {
     NamedNumbers {
         dimensions: &mut reader.dimensions,
         parameters: &reader.parameters,
@@ -170,10 +170,10 @@ impl Slot<'_> {
     ) -> Result<Option<Expression>, Mistake> {
         let mut symbols = InExpression {
             variables,
-            named: named(self.reader),
+            named: names_in_force(self.reader),
             faulty: false,
         };
-        let found = Expression::with(text, &mut symbols)?;
+        let found = Expression::parse_with_symbols(text, &mut symbols)?;
         Ok((!symbols.faulty).then_some(found))
     }
 
@@ -216,17 +216,17 @@ impl Slot<'_> {
             }
             _ => {}
         }
-        if !self.sure(text) {
+        if !self.refuse_parameter_after_number(text) {
             return None;
         }
-        let found = formula(text, &mut named(self.reader));
+        let found = formula(text, &mut names_in_force(self.reader));
         found.unwrap_or_else(|mistake| {
             let names = match self.reader.diagnostics.len() > MOST_FAULTS {
                 true => Vec::new(),
-                false => named(self.reader).names(),
+                false => names_in_force(self.reader).names(),
             };
             let wrong = fault(text, &mistake, &names);
-            let place = place(&self.place(), text, &mistake);
+            let place = place_of_mistake(&self.place(), text, &mistake);
             let refused = self.refuse(wrong.code, wrong.message);
             refused.place = Some(place);
             refused.hints.push(wrong.hint);
@@ -237,11 +237,15 @@ impl Slot<'_> {
     /// The quantity that a text states, where nothing is wrong with it.
     pub(crate) fn quantity_of(&mut self, text: &str) -> Option<Measure> {
         let literal = parse(text).ok().filter(|_| !self.refers(text));
-        literal.or_else(|| formula(text, &mut named(self.reader)).ok().flatten())
+        literal.or_else(|| {
+            formula(text, &mut names_in_force(self.reader))
+                .ok()
+                .flatten()
+        })
     }
 
     /// Refuses a parameter right after a number, where a unit is read: `2 r`.
-    fn sure(&mut self, text: &str) -> bool {
+    fn refuse_parameter_after_number(&mut self, text: &str) -> bool {
         let unit = number_and_unit(text).map_or("", |found| found.1);
         if unit.is_empty() || self.reader.parameters.get(unit).is_none() {
             return true;

@@ -92,7 +92,7 @@ impl Node {
 
     /// Sets a property; anything that is no object becomes one with this property
     /// alone.
-    pub fn put(&mut self, name: &str, value: impl Into<Self>) {
+    pub fn set_property(&mut self, name: &str, value: impl Into<Self>) {
         *self.property(name) = value.into();
     }
 
@@ -165,11 +165,11 @@ mod tests {
     #[test]
     fn a_tree_made_in_code_is_the_json_that_says_the_same() {
         let mut node = Node::object();
-        node.put("speed", "10 rev/s");
-        node.property("pair").put("gap", 1e-4);
-        node.put("points", vec![(0.0, 1), (0.5, -2)]);
-        node.put("masses", 2);
-        node.put("masses", 3);
+        node.set_property("speed", "10 rev/s");
+        node.property("pair").set_property("gap", 1e-4);
+        node.set_property("points", vec![(0.0, 1), (0.5, -2)]);
+        node.set_property("masses", 2);
+        node.set_property("masses", 3);
         let text = serde_json::to_string(&node).unwrap();
         let wanted =
             r#"{"speed":"10 rev/s","pair":{"gap":0.0001},"points":[[0,1],[0.5,-2]],"masses":3}"#;

@@ -40,7 +40,7 @@ pub use one_of::OneOf;
 pub use own::{OWN, Own};
 pub use parameter::Parameters;
 pub use parse::{parse, parse_fragment};
-pub use points::points;
+pub use points::read_points;
 pub use slot::{DeclaredNumber, Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
 pub use synonym::synonyms;

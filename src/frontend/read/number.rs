@@ -103,7 +103,7 @@ impl Slot<'_> {
         self.declare(Some(wanted), bounds);
         let value = match &self.node?.value {
             Value::Number(value) => {
-                self.doubt(*value, &wanted);
+                self.warn_of_unit(*value, &wanted);
                 *value
             }
             Value::Text(text) => self.measure(text, &wanted)?,
@@ -113,7 +113,7 @@ impl Slot<'_> {
                 return None;
             }
         };
-        self.within(value, bounds, wanted.first.si())
+        self.check_bounds(value, bounds, wanted.first.si())
     }
 
     /// Reads a number without a unit.
@@ -180,7 +180,7 @@ impl Slot<'_> {
         let named = |c: char| c.is_alphabetic() || c == '%' || c == '°';
         let begins = text.starts_with(named) || text.starts_with("1/");
         let measure = parse(&format!("1 {text}")).ok().filter(|_| begins);
-        let value = measure.and_then(|measure| wanted.accept(measure).ok());
+        let value = measure.and_then(|measure| wanted.convert_measure(measure).ok());
         if value.is_none() {
             let message = format!("\"{}\" is no unit of what is wanted here", shorten(&text));
             let hint = wanted.words();
@@ -190,7 +190,7 @@ impl Slot<'_> {
     }
 
     /// Warns of a number without a unit that is likely meant in another one than SI.
-    fn doubt(&mut self, value: f64, wanted: &QuantityChoice) {
+    fn warn_of_unit(&mut self, value: f64, wanted: &QuantityChoice) {
         let usual = USUAL.iter().find(|one| one.0 == wanted.first);
         let Some((quantity, [least, most], unit)) = usual.filter(|_| wanted.second.is_none())
         else {
@@ -212,7 +212,7 @@ impl Slot<'_> {
         self.reader.diagnostics.push(warning);
     }
 
-    fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
+    fn check_bounds(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
         let name = last_name(&self.path);
         if !value.is_finite() {
             let (message, hint) = match value.is_nan() {
@@ -250,9 +250,9 @@ impl Slot<'_> {
         if measure.bare && parse(text).is_err() {
             return Some(measure.value);
         }
-        match wanted.accept(measure) {
+        match wanted.convert_measure(measure) {
             Ok(value) => return Some(value),
-            Err(mismatch) => self.mismatch(text, measure, mismatch, wanted),
+            Err(mismatch) => self.report_mismatch(text, measure, mismatch, wanted),
         }
         None
     }
@@ -319,7 +319,7 @@ impl Slot<'_> {
         fault.hints.push(accepts);
     }
 
-    pub(super) fn mismatch(
+    pub(super) fn report_mismatch(
         &mut self,
         text: &str,
         measure: Measure,
@@ -343,7 +343,7 @@ fn near_unit(text: &str, offset: usize, symbol: &str, wanted: &QuantityChoice) -
     let (before, after) = (&text[..offset], &text[offset + symbol.len()..]);
     // A text with two slips tells of neither what it measures: then any unit may be meant.
     let fits = |unit: &str| match parse(&format!("{before}{unit}{after}")) {
-        Ok(measure) => wanted.accept(measure).is_ok(),
+        Ok(measure) => wanted.convert_measure(measure).is_ok(),
         Err(_) => true,
     };
     let units: Vec<String> = known_units();

@@ -103,7 +103,7 @@ fn clash(fields: &mut Fields<'_>, first: &str, other: &str, what: &str) {
     .at(fields.place_of(other))
     .path(format!("{}.{other}", fields.path()))
     .label("given again here")
-    .also(fields.place_of(first), "first given here")
+    .with_place(fields.place_of(first), "first given here")
     .hint("keep one of them");
     push(&mut fields.reader.diagnostics, fault);
 }

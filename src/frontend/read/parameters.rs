@@ -12,7 +12,7 @@ use crate::dynamics::builder::written::{DRIVER, OVER, OWN};
 use crate::dynamics::model::CONDITION_NAMES;
 use crate::frontend::diagnostics::{Diagnostic, Place};
 use crate::units::quantities::{ALL, ANYTHING};
-use crate::units::{Measure, Scope, formula, hidden, parse};
+use crate::units::{Measure, Scope, formula, parse, reserved_meaning};
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ fn is_sound(name: &str) -> bool {
 }
 
 /// What a name means in expressions already.
-fn meaning(name: &str) -> Option<&'static str> {
+fn known_meaning(name: &str) -> Option<&'static str> {
     let variables = OWN
         .iter()
         .chain(&DRIVER)
@@ -31,7 +31,7 @@ fn meaning(name: &str) -> Option<&'static str> {
     let mut names = variables.map(|one| one.0);
     match names.any(|variable| variable == name) {
         true => Some("a variable"),
-        false => hidden(name),
+        false => reserved_meaning(name),
     }
 }
 
@@ -132,7 +132,7 @@ impl<'m> Evaluation<'m> {
     fn check_names(&mut self) {
         for at in 0..self.members.len() {
             let name = &self.members[at].name;
-            let (message, hint) = match meaning(name) {
+            let (message, hint) = match known_meaning(name) {
                 _ if !is_sound(name) => (
                     format!("`{name}` cannot be the name of a parameter"),
                     "names are made of letters, digits and `_`, and begin with a letter or `_`",
@@ -166,7 +166,7 @@ impl<'m> Evaluation<'m> {
         }
         let mut ready: Vec<usize> = (0..count).filter(|&at| open[at] == 0).collect();
         while let Some(at) = ready.pop() {
-            self.values[at] = self.value(at);
+            self.values[at] = self.parameter_value(at);
             for &dependent in &dependents[at] {
                 open[dependent] -= 1;
                 if open[dependent] == 0 {
@@ -225,7 +225,7 @@ impl<'m> Evaluation<'m> {
             .collect();
         let mut fault = self.fault(circle[0], "cycle", message).clone();
         for place in others {
-            fault = fault.also(place, "");
+            fault = fault.with_place(place, "");
         }
         fault
             .hints
@@ -234,10 +234,10 @@ impl<'m> Evaluation<'m> {
         self.faults.push(fault);
     }
 
-    fn value(&mut self, at: usize) -> Option<Measure> {
+    fn parameter_value(&mut self, at: usize) -> Option<Measure> {
         let node: &'m Node = &self.members[at].value;
         let text = match &node.value {
-            Value::Number(value) if value.is_finite() => return Some(Measure::bare(*value)),
+            Value::Number(value) if value.is_finite() => return Some(Measure::unitless(*value)),
             Value::Number(_) => {
                 self.fault(
                     at,
@@ -264,7 +264,7 @@ impl<'m> Evaluation<'m> {
             Ok(found) => found,
             Err(mistake) => {
                 let wrong = super::formulas::fault(text, &mistake, &Scope::names(self));
-                let place = super::formulas::place(&node.place, text, &mistake);
+                let place = super::formulas::place_of_mistake(&node.place, text, &mistake);
                 let fault = self.fault(at, wrong.code, wrong.message);
                 fault.place = Some(place);
                 fault.hints.push(wrong.hint);

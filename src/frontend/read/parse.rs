@@ -172,7 +172,7 @@ impl Builder<'_> {
             ast::Value::Array(array) => {
                 Value::List(array.elements.iter().map(|item| self.node(item)).collect())
             }
-            ast::Value::Object(object) => Value::Object(self.members(object)),
+            ast::Value::Object(object) => Value::Object(self.parse_members(object)),
         };
         Node { place, value }
     }
@@ -203,7 +203,7 @@ impl Builder<'_> {
         }
     }
 
-    fn members(&mut self, object: &ast::Object<'_>) -> Vec<Member> {
+    fn parse_members(&mut self, object: &ast::Object<'_>) -> Vec<Member> {
         let mut first: BTreeMap<String, Place> = BTreeMap::new();
         let mut members = Vec::with_capacity(object.properties.len());
         for property in &object.properties {
@@ -215,7 +215,7 @@ impl Builder<'_> {
                     Diagnostic::error("duplicate", format!("`{name}` is given twice"))
                         .at(name_place)
                         .label("given again here")
-                        .also(earlier.clone(), "first given here"),
+                        .with_place(earlier.clone(), "first given here"),
                 );
                 continue;
             }

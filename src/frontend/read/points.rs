@@ -11,7 +11,7 @@ use serde_json::json;
 const MOST_POINTS: usize = 100_000;
 
 /// Reads `[[x, y], …]` with x strictly ascending, or `{ "file": "lift.csv" }`.
-pub fn points(
+pub fn read_points(
     mut slot: Slot<'_>,
     x: impl Into<QuantityChoice>,
     y: impl Into<QuantityChoice>,
@@ -82,22 +82,22 @@ fn of_file(mut slot: Slot<'_>, wanted: [QuantityChoice; 2], least: usize) -> Opt
             let count = rows.len();
             let message =
                 format!("the file `{name}` has {count} rows, at least {least} are needed");
-            refuse(&mut slot, Diagnostic::error("wrong-length", message), &at);
+            refuse_file(&mut slot, Diagnostic::error("wrong-length", message), &at);
             None
         }
         Err(faults) => {
             faults
                 .into_iter()
-                .for_each(|fault| refuse(&mut slot, fault, &at));
+                .for_each(|fault| refuse_file(&mut slot, fault, &at));
             None
         }
     }
 }
 
 /// Notes a fault in a file, with the place where the scene names the file.
-fn refuse(slot: &mut Slot<'_>, fault: Diagnostic, at: &Place) {
+fn refuse_file(slot: &mut Slot<'_>, fault: Diagnostic, at: &Place) {
     let fault = match fault.place {
-        Some(_) => fault.also(at.clone(), "named here"),
+        Some(_) => fault.with_place(at.clone(), "named here"),
         None => fault.at(at.clone()),
     };
     let path = slot.path.clone();

@@ -214,7 +214,7 @@ impl<'a> Slot<'a> {
     pub(super) fn declare_at(&mut self, name: &str, node: &Node, wanted: QuantityChoice) {
         if let Some(numbers) = self.reader.numbers.as_mut() {
             numbers.push(DeclaredNumber {
-                path: join(&self.path, name),
+                path: join_path(&self.path, name),
                 place: node.place.clone(),
                 wanted: Some(wanted),
                 bounds: Bounds::ANY,
@@ -377,7 +377,7 @@ pub(super) fn push(list: &mut Vec<Diagnostic>, fault: Diagnostic) -> &mut Diagno
 }
 
 /// `a.b` from `a` and `b`.
-pub(super) fn join(path: &str, name: &str) -> String {
+pub(super) fn join_path(path: &str, name: &str) -> String {
     match path.is_empty() {
         true => name.to_owned(),
         false => format!("{path}.{name}"),

@@ -41,10 +41,10 @@ pub fn did_you_mean<'a>(
 
 /// `` `a`, `b` or `c` ``; a dash when there is nothing.
 pub fn quoted_list<'a>(names: impl IntoIterator<Item = &'a str>, last_word: &str) -> String {
-    quoted(&mut names.into_iter(), last_word)
+    list_of_quoted(&mut names.into_iter(), last_word)
 }
 
-fn quoted(names: &mut dyn Iterator<Item = &str>, last_word: &str) -> String {
+fn list_of_quoted(names: &mut dyn Iterator<Item = &str>, last_word: &str) -> String {
     let mut quoted: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     match quoted.pop() {
         None => "—".to_owned(),

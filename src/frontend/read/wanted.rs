@@ -46,7 +46,7 @@ impl QuantityChoice {
     ///
     /// # Errors
     /// How it does not fit.
-    pub(crate) fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
+    pub(crate) fn convert_measure(&self, measure: Measure) -> Result<f64, Mismatch> {
         let first = self.first.accept(measure);
         match (first, self.second) {
             (Err(_), Some(second)) => second.accept(measure).or(first),

@@ -9,7 +9,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<AccuracySpec> 
     slot.object_or(
         |slot| {
             let named = |address: &str, slot: Slot<'_>| {
-                Some((address.to_owned(), one(slot, address, known)?))
+                Some((address.to_owned(), read_one(slot, address, known)?))
             };
             slot.values(named).map(AccuracySpec::Figures)
         },
@@ -18,10 +18,10 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<AccuracySpec> 
 }
 
 /// How accurate the figure of an address is to be.
-fn one(mut slot: Slot<'_>, address: &str, known: &ObjectTable) -> Option<Accuracy> {
+fn read_one(mut slot: Slot<'_>, address: &str, known: &ObjectTable) -> Option<Accuracy> {
     let wanted = match slot.describing() {
         true => QuantityChoice::anything(),
-        false => expect::figure_of_run(&mut slot, address, known)?,
+        false => expect::read_figure_of_run(&mut slot, address, known)?,
     };
     match expect::is_share(&slot) {
         true => slot.number(Bounds::POSITIVE).map(Accuracy::Share),

@@ -34,7 +34,7 @@ pub(super) enum Step {
 
 impl Step {
     /// The entry of a list that it means: `[0]`, or `0` as in `points.C.0`.
-    pub(super) fn entry(&self) -> Option<usize> {
+    pub(super) fn list_index(&self) -> Option<usize> {
         match self {
             Self::Index(index) => Some(*index),
             Self::Name(name) => {
@@ -46,7 +46,7 @@ impl Step {
 }
 
 /// Splits an address; `None` when it is not one.
-pub(super) fn split(address: &str) -> Option<Vec<Part>> {
+pub(super) fn split_address(address: &str) -> Option<Vec<Part>> {
     let mut parts = Vec::new();
     let mut at = 0;
     for piece in address.split('.') {
@@ -77,8 +77,8 @@ pub(super) fn split(address: &str) -> Option<Vec<Part>> {
 
 /// Finds what an address means; the place of the nearest part that exists
 /// (its name where it has one).
-pub(super) fn locate(root: &Node, address: &str) -> Place {
-    let Some(parts) = split(address) else {
+pub(super) fn place_of_address(root: &Node, address: &str) -> Place {
+    let Some(parts) = split_address(address) else {
         return root.place.first();
     };
     let reserved = matches!(&parts[0].step, Step::Name(name) if RESERVED.contains(&name.as_str()));
@@ -101,7 +101,7 @@ pub(super) fn locate(root: &Node, address: &str) -> Place {
                 (&member.value, shown.clone())
             }),
             (step, Value::List(items)) => {
-                let item = step.entry().and_then(|index| items.get(index));
+                let item = step.list_index().and_then(|index| items.get(index));
                 item.map(|item| (item, item.place.clone()))
             }
             _ => None,
@@ -127,7 +127,12 @@ mod tests {
     #[test]
     fn addresses_have_names_and_indices() {
         let steps = |address| -> Option<Vec<Step>> {
-            Some(split(address)?.into_iter().map(|part| part.step).collect())
+            Some(
+                split_address(address)?
+                    .into_iter()
+                    .map(|part| part.step)
+                    .collect(),
+            )
         };
         let name = |name: &str| Step::Name(name.to_owned());
         assert_eq!(
@@ -140,9 +145,9 @@ mod tests {
                 name("x")
             ])
         );
-        assert_eq!(split("a.bc").unwrap()[1].range, 2..4);
+        assert_eq!(split_address("a.bc").unwrap()[1].range, 2..4);
         let entries: Vec<_> = ["7", "x7", "07", "-1", "99999999999999999999"]
-            .map(|text| name(text).entry())
+            .map(|text| name(text).list_index())
             .into();
         assert_eq!(entries, [Some(7), None, Some(7), None, None]);
         for bad in [

@@ -140,7 +140,7 @@ impl Document {
     /// The same without what it expects of a run and without remarks: quicker to
     /// decode where a scene is decoded thousands of times with other values.
     #[must_use]
-    pub fn bare(&self) -> Self {
+    pub fn without_expectations(&self) -> Self {
         let mut bare = self.clone();
         if let Value::Object(members) = &mut bare.root.value {
             members.retain(|member| {
@@ -452,7 +452,7 @@ impl Places {
     /// Place of the property at an address; that of the nearest part of the address that
     /// exists.
     pub fn locate(&self, path: &str) -> Place {
-        address::locate(&self.root, path)
+        address::place_of_address(&self.root, path)
     }
 
     /// Faults found later as diagnostics with their places.

@@ -5,7 +5,7 @@ use crate::frontend::read::{Node, Value};
 
 /// The property at an address (`rocker.pair.gap`); `None`: there is none.
 pub fn property<'n>(root: &'n Node, address: &str) -> Option<&'n Node> {
-    let parts = address::split(address)?;
+    let parts = address::split_address(address)?;
     let top = match is_of_scene(&parts) {
         true => root,
         false => root.get("objects")?,
@@ -13,7 +13,7 @@ pub fn property<'n>(root: &'n Node, address: &str) -> Option<&'n Node> {
     parts
         .iter()
         .try_fold(top, |node, part| match (&part.step, &node.value) {
-            (step, Value::List(items)) => items.get(step.entry()?),
+            (step, Value::List(items)) => items.get(step.list_index()?),
             (Step::Name(name), _) => node.get(name),
             (Step::Index(_), _) => None,
         })
@@ -21,18 +21,18 @@ pub fn property<'n>(root: &'n Node, address: &str) -> Option<&'n Node> {
 
 /// Sets a property; objects on the way are made where they are missing. An address that is
 /// none, or goes through a list, changes nothing.
-pub fn put(root: &mut Node, address: &str, value: impl Into<Node>) {
-    if let Some((owner, name)) = owner(root, address) {
-        owner.put(&name, value);
+pub fn set_property(root: &mut Node, address: &str, value: impl Into<Node>) {
+    if let Some((owner, name)) = object_and_property(root, address) {
+        owner.set_property(&name, value);
     }
 }
 
 /// Takes a property away; false: there was none.
-pub fn take(root: &mut Node, address: &str) -> bool {
+pub fn remove_property(root: &mut Node, address: &str) -> bool {
     if property(root, address).is_none() {
         return false;
     }
-    let Some((owner, name)) = owner(root, address) else {
+    let Some((owner, name)) = object_and_property(root, address) else {
         return false;
     };
     match &mut owner.value {
@@ -49,8 +49,8 @@ fn is_of_scene(parts: &[Part]) -> bool {
 }
 
 /// The object whose property is addressed, and the property's name.
-fn owner<'n>(root: &'n mut Node, address: &str) -> Option<(&'n mut Node, String)> {
-    let parts = address::split(address)?;
+fn object_and_property<'n>(root: &'n mut Node, address: &str) -> Option<(&'n mut Node, String)> {
+    let parts = address::split_address(address)?;
     let names: Option<Vec<String>> = parts
         .iter()
         .map(|part| match &part.step {
@@ -70,21 +70,21 @@ fn owner<'n>(root: &'n mut Node, address: &str) -> Option<(&'n mut Node, String)
 
 #[cfg(test)]
 mod tests {
-    use super::{property, put, take};
+    use super::{property, remove_property, set_property};
     use crate::frontend::read::Node;
 
     #[test]
     fn properties_are_set_and_taken_away() {
         let mut root = Node::object();
-        put(&mut root, "rocker.pair.gap", "0.1 mm");
-        put(&mut root, "run.duration", 0.5);
+        set_property(&mut root, "rocker.pair.gap", "0.1 mm");
+        set_property(&mut root, "run.duration", 0.5);
         let text = r#"{"objects":{"rocker":{"pair":{"gap":"0.1 mm"}}},"run":{"duration":0.5}}"#;
         assert_eq!(root.json(), text);
         let gap = property(&root, "rocker.pair.gap").and_then(Node::text);
         assert_eq!(gap, Some("0.1 mm"));
-        assert!(take(&mut root, "rocker.pair.gap"));
-        assert!(!take(&mut root, "rocker.pair.gap"));
-        assert!(!take(&mut root, "slider.mass"));
+        assert!(remove_property(&mut root, "rocker.pair.gap"));
+        assert!(!remove_property(&mut root, "rocker.pair.gap"));
+        assert!(!remove_property(&mut root, "slider.mass"));
         assert_eq!(
             root.json(),
             r#"{"objects":{"rocker":{"pair":{}}},"run":{"duration":0.5}}"#

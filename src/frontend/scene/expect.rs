@@ -24,18 +24,18 @@ enum About {
 /// Reads `expect`.
 pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<Vec<Expectation>> {
     slot.list(0..=usize::MAX, |slot| {
-        slot.record(|fields| expectation(fields, known))
+        slot.record(|fields| read_expectation(fields, known))
     })
 }
 
-fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectation> {
+fn read_expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectation> {
     let mut about = fields.one_of("what is expected");
     about.case(
         "figure",
         "Address of a result: `rocker.delta_max`, `run.switches`; `steady.period`; \
          `kinematics.press.ram.time_ratio`, `forces.press.drive.greatest`; \
          `cam.follower.least_radius`, `frequency.1`.",
-        |slot| figure(slot, known),
+        |slot| read_figure(slot, known),
     );
     about.case(
         "stops",
@@ -93,9 +93,9 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             }
         },
     );
-    let over = over(fields);
+    let over = read_over(fields);
     let source = fields.maybe("source", "Source of the value.", |slot| slot.text());
-    let about = within_span(fields, about, over?)?;
+    let about = read_within_span(fields, about, over?)?;
     let (about, value, time, within) = (about, value?, time?, within?);
     let (least, most, between) = (least?, most?, between?);
     let bounded = [
@@ -157,10 +157,11 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             }
         }
         About::Figure(figure, _) => {
-            let value = given(fields, value, "value", time.is_some().then_some("time"));
-            let within = needed(fields, within);
+            let value =
+                read_required_value(fields, value, "value", time.is_some().then_some("time"));
+            let within = read_needed(fields, within);
             let (value, within) = (value?, within?);
-            let within = absolute(fields, within, value)?;
+            let within = read_absolute(fields, within, value)?;
             Expected::Figure {
                 figure,
                 allowed: AllowedValues::Near { value, within },
@@ -168,10 +169,10 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
         }
         About::Stop(reason) => {
             let stray = bounded.or(value.is_some().then_some("value"));
-            let time = given(fields, time, "time", stray);
-            let within = needed(fields, within);
+            let time = read_required_value(fields, time, "time", stray);
+            let within = read_needed(fields, within);
             let (time, within) = (time?, within?);
-            let within = absolute(fields, within, time)?;
+            let within = read_absolute(fields, within, time)?;
             Expected::Stops {
                 reason: reason.to_owned(),
                 time,
@@ -194,15 +195,15 @@ struct WrittenSpan {
 }
 
 /// Reads `over`: `Some(None)` where the whole motion counts.
-fn over(fields: &mut Fields<'_>) -> Option<Option<WrittenSpan>> {
+fn read_over(fields: &mut Fields<'_>) -> Option<Option<WrittenSpan>> {
     let doc = "Part of the motion that counts, of figures that are greatest or least values: \
                between two machine angles in every turn, or between two times.";
     fields.maybe("over", doc, |slot| {
         slot.record(|fields| {
             let doc = "Start: a machine angle, \"30 deg\", a time, \"0.2 s\", or a displacement of `of`; with its unit.";
-            let from = fields.need("from", doc, end_of_span);
+            let from = fields.need("from", doc, read_end_of_span);
             let doc = "End, beyond its start: \"370 deg\" goes on over the end of a turn.";
-            let to = fields.need("to", doc, end_of_span);
+            let to = fields.need("to", doc, read_end_of_span);
             let doc = "Object or output whose displacement the ends are; default the drive, whose angle is the machine angle.";
             let of = fields.maybe("of", doc, |slot| slot.text());
             Some(WrittenSpan {
@@ -214,7 +215,7 @@ fn over(fields: &mut Fields<'_>) -> Option<Option<WrittenSpan>> {
     })
 }
 
-fn end_of_span(mut slot: Slot<'_>) -> Option<String> {
+fn read_end_of_span(mut slot: Slot<'_>) -> Option<String> {
     let text = slot.read_in_place(|slot| slot.text())?;
     let measure = slot.quantity_of(&text);
     let found = measure.and_then(|found| span::place_text(&text, found.value, found.dimension));
@@ -229,7 +230,7 @@ fn end_of_span(mut slot: Slot<'_>) -> Option<String> {
 }
 
 /// What is expected, within a part of the motion; the faults of the part.
-fn within_span(
+fn read_within_span(
     fields: &mut Fields<'_>,
     about: Option<About>,
     over: Option<WrittenSpan>,
@@ -260,7 +261,7 @@ fn within_span(
 }
 
 /// The property that belongs to what is expected, without the other one.
-fn given(
+fn read_required_value(
     fields: &mut Fields<'_>,
     value: Option<f64>,
     name: &str,
@@ -287,7 +288,7 @@ fn given(
 }
 
 /// The bound that a value needs.
-fn needed(fields: &mut Fields<'_>, within: Option<Within>) -> Option<Within> {
+fn read_needed(fields: &mut Fields<'_>, within: Option<Within>) -> Option<Within> {
     if within.is_none() {
         let message = "this expectation has no `within`";
         let fault = fields.refuse("within", "missing-property", message);
@@ -313,7 +314,7 @@ enum Within {
     Share(f64),
 }
 
-fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> {
+fn read_absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> {
     match within {
         Within::Absolute(bound) => Some(bound),
         Within::Share(share) if value != 0.0 => Some(share * value.abs()),
@@ -329,30 +330,30 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 }
 
 /// The address of a figure, with what it measures.
-fn figure(mut slot: Slot<'_>, known: &ObjectTable) -> Option<About> {
+fn read_figure(mut slot: Slot<'_>, known: &ObjectTable) -> Option<About> {
     let address = slot.read_in_place(|slot| slot.text())?;
-    about(&mut slot, address, known)
+    read_subject(&mut slot, address, known)
 }
 
 /// What a figure of a run or of a study measures, whose address is the name of a property.
-pub(super) fn figure_of_run(
+pub(super) fn read_figure_of_run(
     slot: &mut Slot<'_>,
     address: &str,
     known: &ObjectTable,
 ) -> Option<QuantityChoice> {
-    match about(slot, address.to_owned(), known)? {
+    match read_subject(slot, address.to_owned(), known)? {
         About::Figure(_, wanted) => Some(wanted),
         About::Stop(_) => None,
     }
 }
 
-fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<About> {
+fn read_subject(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<About> {
     if let Some(within) = SpanAddress::of(&address) {
         if let Err((message, hint)) = within.span() {
             slot.refuse("out-of-range", message).hints.push(hint);
             return None;
         }
-        return match about(slot, within.figure.to_owned(), known)? {
+        return match read_subject(slot, within.figure.to_owned(), known)? {
             About::Figure(_, wanted) => Some(About::Figure(address, wanted)),
             About::Stop(_) => None,
         };
@@ -415,7 +416,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
         return None;
     }
     if owner == "kinematics" || owner == "forces" {
-        return study_figure(slot, known, address);
+        return read_study_figure(slot, known, address);
     }
     let object = known.objects.get(owner).map(|object| object.coordinate);
     let (coordinate, figures, pair) = match (object, known.stops.get(owner)) {
@@ -453,7 +454,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
 /// The address of a figure of a linkage's kinematics or forces,
 /// `forces.press.drive.greatest`. Which figures there are is known only when the
 /// linkage is, and what each measures; until then any unit will do.
-fn study_figure(slot: &mut Slot<'_>, known: &ObjectTable, address: String) -> Option<About> {
+fn read_study_figure(slot: &mut Slot<'_>, known: &ObjectTable, address: String) -> Option<About> {
     let mut parts = address.splitn(3, '.');
     let (study, object, name) = (parts.next()?, parts.next(), parts.next());
     let (Some(object), Some(_)) = (object, name) else {

@@ -207,7 +207,7 @@ pub(crate) const CAM_FIGURES: &[Figure<OfCoordinate>] = &[
     of_object("least_pitch_radius", length, "> 0", "Least radius of curvature where the pitch curve is convex; absent under a flat face."),
     of_object("least_radius", length, "> 0", "Least radius of curvature where the profile is convex."),
     of_object("least_torque", torque, "negative: the load drives the cam", "Least torque on the cam shaft, at constant speed."),
-    of_object("lift_off_speed", angular_speed, SIZE, "Least speed of the cam at which the follower lifts off, within 0.1 % for elastic objects; without a value if it never does."),
+    of_object("lift_off_speed", angular_speed, SIZE, "Least speed of the cam at which the follower lifts off, within 0.001 % for elastic objects; without a value if it never does."),
     of_object("margin", Measures::force, "rigid: negative if the contact separates; elastic: 0", "Least contact force along the coordinate of the object in the steady motion, with the elasticity of the scene."),
     of_object("margin_angle", angle, SIZE, "Angle of the cam at which the contact force is least."),
     of_object("preload_needed", force_of_spring, "positive: towards the cam", "Least preload of the closing spring with which the contact stays closed in the steady motion, without a reserve."),
@@ -284,7 +284,7 @@ fn whole_rows(owner: &str, figures: &[Figure<Quantity>]) -> Vec<Value> {
 
 /// All results that are known without a linkage, by what they belong to, and the reasons for
 /// which a run stops. What is written in capitals stands for a name or a number.
-pub(crate) fn described() -> Value {
+pub(crate) fn described_results() -> Value {
     let hertz = || vec![q::FREQUENCY.si()];
     let second = || vec![q::TIME.si()];
     let mut object = part_rows("OBJECT", OBJECT_FIGURES);

@@ -41,7 +41,7 @@ impl Folder {
     }
 
     /// The folder `objects` beside a scene's file, and the tables beside it.
-    pub fn beside(scene: &Path) -> Self {
+    pub fn beside_scene(scene: &Path) -> Self {
         let folder = scene.parent().unwrap_or(Path::new(""));
         Self {
             path: folder.join("objects"),
@@ -50,7 +50,7 @@ impl Folder {
     }
 
     /// A file or folder below this one, links followed; `None` where links lead out.
-    fn within(&self, path: &Path) -> Option<PathBuf> {
+    fn path_below(&self, path: &Path) -> Option<PathBuf> {
         let root = self.path.canonicalize().ok()?;
         let real = path.canonicalize().ok()?;
         real.starts_with(root).then_some(real)
@@ -58,12 +58,18 @@ impl Folder {
 
     /// True for a plain file below this folder: reading a pipe might never end.
     fn is_file(&self, path: &Path) -> bool {
-        let real = self.within(path);
+        let real = self.path_below(path);
         real.is_some_and(|real| real.is_file())
     }
 
     /// Names of the JSON files below a folder, a few levels deep.
-    fn collect(&self, folder: &Path, prefix: &str, depth: usize, names: &mut Vec<String>) {
+    fn collect_json_files(
+        &self,
+        folder: &Path,
+        prefix: &str,
+        depth: usize,
+        names: &mut Vec<String>,
+    ) {
         let Ok(entries) = fs::read_dir(folder) else {
             return;
         };
@@ -74,8 +80,8 @@ impl Folder {
             };
             let is_json = path.extension().is_some_and(|found| found == "json");
             if path.is_dir() {
-                if depth < 3 && self.within(&path).is_some() {
-                    self.collect(&path, &format!("{prefix}{stem}/"), depth + 1, names);
+                if depth < 3 && self.path_below(&path).is_some() {
+                    self.collect_json_files(&path, &format!("{prefix}{stem}/"), depth + 1, names);
                 }
             } else if is_json && self.is_file(&path) {
                 names.push(format!("{prefix}{stem}"));
@@ -102,7 +108,7 @@ impl Catalogue for Folder {
 
     fn names(&self) -> Vec<String> {
         let mut names = Vec::new();
-        self.collect(&self.path, "", 0, &mut names);
+        self.collect_json_files(&self.path, "", 0, &mut names);
         names.sort();
         names
     }

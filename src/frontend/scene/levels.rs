@@ -45,7 +45,7 @@ impl TypedScene {
 
 impl Elastic {
     /// Ids of the objects whose level is open.
-    pub fn open(&self) -> impl Iterator<Item = &String> {
+    pub fn open_levels(&self) -> impl Iterator<Item = &String> {
         let open = self.objects.iter().filter(|(_, one)| one.1.is_none());
         open.map(|(id, _)| id)
     }
@@ -60,14 +60,14 @@ impl Elastic {
             if let (Some((uniform, _)), Some(chain)) = (self.objects.get(id), chain) {
                 chain.body = uniform.at(level);
                 let masses = chain.masses();
-                spread(&mut scene.run.start, id, masses);
+                repeat_state_for_masses(&mut scene.run.start, id, masses);
             }
         }
     }
 }
 
 /// Gives each mass of an object the state of the whole.
-fn spread(start: &mut StartSpec, id: &str, masses: usize) {
+fn repeat_state_for_masses(start: &mut StartSpec, id: &str, masses: usize) {
     let StartSpec::Explicit(states) = start else {
         return;
     };

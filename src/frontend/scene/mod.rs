@@ -29,7 +29,7 @@ pub use catalogue::{BuiltIn, Catalogue, LayeredCatalogue, NamedBytes};
 pub use document::{Document, Places, Reading};
 #[cfg(feature = "live")]
 pub(crate) use figures::is_expectable;
-pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described};
+pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described_results};
 pub use folder::{Folder, read_bounded};
 pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
@@ -257,7 +257,7 @@ impl AllowedValues {
     }
 
     /// Whether a value is one of them; what is no number is none.
-    pub fn holds(&self, found: f64) -> bool {
+    pub fn contains_value(&self, found: f64) -> bool {
         match *self {
             Self::Near { value, within } => (found - value).abs() <= within,
             Self::Between { least, most } => {

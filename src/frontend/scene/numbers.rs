@@ -109,7 +109,7 @@ fn number(declared: &DeclaredNumber, text: &str) -> Option<Number> {
 /// SI units in one of `unit`, in the sense in which a quantity that is wanted takes it.
 fn factor(unit: &str, wanted: Option<QuantityChoice>) -> Option<f64> {
     let one = parse(&format!("1 {unit}")).ok()?;
-    let meant = wanted.and_then(|wanted| wanted.accept(one).ok());
+    let meant = wanted.and_then(|wanted| wanted.convert_measure(one).ok());
     Some(meant.unwrap_or(one.value))
 }
 

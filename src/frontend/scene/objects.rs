@@ -43,7 +43,7 @@ impl ObjectTable {
     pub(super) fn offering(mut self, scene: Option<&Node>, catalogue: &dyn Catalogue) -> Self {
         let objects = scene.and_then(|scene| scene.get("objects"));
         for member in objects.map_or(&[][..], Node::members) {
-            self.note(&member.name, &member.value);
+            self.note_object(&member.name, &member.value);
         }
         let kind = |name: &String| -> Option<String> {
             let (_, text) = catalogue.lookup(name)?;
@@ -74,7 +74,7 @@ impl ObjectTable {
     }
 
     /// What the catalogue has of a kind.
-    fn offered(&self, kind: &Kind) -> Vec<&str> {
+    fn catalogue_entries(&self, kind: &Kind) -> Vec<&str> {
         let fitting = self.offered.iter().filter(|one| one.1 == kind.name);
         fitting.map(|one| one.0.as_str()).collect()
     }
@@ -90,7 +90,7 @@ impl ObjectTable {
     }
 
     /// Takes down what the text tells of an object and its outputs.
-    fn note(&mut self, id: &str, node: &Node) {
+    fn note_object(&mut self, id: &str, node: &Node) {
         let (coordinate, outputs) = match (OwnObject::of(node), self.kind_of(node)) {
             (Some(own), _) => {
                 let others = own.ports().outputs.into_iter().skip(1);
@@ -125,14 +125,14 @@ pub(super) fn read(
     }
     let node = slot.node()?;
     for member in node.members() {
-        known.note(&member.name, &member.value);
+        known.note_object(&member.name, &member.value);
     }
-    let objects = slot.read_in_place(|slot| slot.map(|id, slot| object(slot, id, known)));
+    let objects = slot.read_in_place(|slot| slot.map(|id, slot| read_object(slot, id, known)));
     let sound = check_graph(&mut slot, node, known);
     objects.filter(|_| sound)
 }
 
-fn kind(fields: &mut Fields<'_>, registry: &Registry) -> Option<Kind> {
+fn read_kind(fields: &mut Fields<'_>, registry: &Registry) -> Option<Kind> {
     let kinds: Vec<(&'static str, Kind)> = (registry.kinds().iter())
         .map(|kind| (kind.name, *kind))
         .collect();
@@ -140,7 +140,11 @@ fn kind(fields: &mut Fields<'_>, registry: &Registry) -> Option<Kind> {
 }
 
 /// Reads one object; notes in `known` how many masses it has.
-pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> Option<SceneObject> {
+pub(super) fn read_object(
+    mut slot: Slot<'_>,
+    id: &str,
+    known: &mut ObjectTable,
+) -> Option<SceneObject> {
     let sound = check_id(&mut slot, id);
     let is_own = slot
         .node()
@@ -160,7 +164,7 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> O
         // A `from` is still there only when nothing could be copied.
         let kind = match fields.has("from") {
             true => None,
-            false => kind(fields, &known.registry),
+            false => read_kind(fields, &known.registry),
         };
         let Some(kind) = kind else {
             fields.ignore_others();
@@ -173,13 +177,13 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> O
                 let hint = "remove `input`, or choose another `kind`";
                 (!fields.forbid("input", message, hint)).then_some(())
             }
-            Inputs::One => only_input(fields, &mut context, kind.name),
+            Inputs::One => read_only_input(fields, &mut context, kind.name),
             Inputs::OneOrSeveral if fields.has("inputs") => {
                 let message = "its `inputs` name what drives it";
                 let hint = "remove `input`, or give `input` and `driver` in place of `inputs`";
                 (!fields.forbid("input", message, hint)).then_some(())
             }
-            Inputs::OneOrSeveral => only_input(fields, &mut context, kind.name),
+            Inputs::OneOrSeveral => read_only_input(fields, &mut context, kind.name),
             Inputs::Several => Some(()),
         };
         let object = (kind.read)(fields, &context);
@@ -198,7 +202,7 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> O
 }
 
 /// Reads `input` of an object with one driver; several are told as such.
-fn only_input(fields: &mut Fields<'_>, context: &mut Context<'_>, kind: &str) -> Option<()> {
+fn read_only_input(fields: &mut Fields<'_>, context: &mut Context<'_>, kind: &str) -> Option<()> {
     let message = format!("a {kind} takes one input");
     let hint = "name the one output that drives it: \"input\": \"shaft\"; a `differential` sums \
                 several motions to one that can drive it";
@@ -324,7 +328,9 @@ fn describe(mut slot: Slot<'_>, known: &ObjectTable) {
     let registry = &known.registry;
     let mut by_kind = Vec::new();
     for kind in registry.kinds() {
-        slot.read_in_place(|slot| slot.defined(kind.name, |slot| describe_kind(slot, kind, known)));
+        slot.read_in_place(|slot| {
+            slot.defined(kind.name, |slot| read_describe_kind(slot, kind, known))
+        });
         if let Some(schema) = slot.definition(kind.name) {
             allow_from(schema, kind);
         }
@@ -333,7 +339,7 @@ fn describe(mut slot: Slot<'_>, known: &ObjectTable) {
             "if": { "anyOf": [
                 { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
                 {
-                    "properties": { "from": { "enum": known.offered(kind) } },
+                    "properties": { "from": { "enum": known.catalogue_entries(kind) } },
                     "required": ["from"], "not": { "required": ["kind"] },
                 },
             ] },
@@ -359,14 +365,14 @@ fn describe(mut slot: Slot<'_>, known: &ObjectTable) {
     }));
 }
 
-fn describe_kind(slot: Slot<'_>, kind: &Kind, known: &ObjectTable) -> Option<()> {
+fn read_describe_kind(slot: Slot<'_>, kind: &Kind, known: &ObjectTable) -> Option<()> {
     slot.record(|fields| {
         fields.remark("description", "Remarks for people.");
         fields.need("kind", kind.doc, |slot| slot.choice(&[(kind.name, ())]));
         fields.maybe(
             "from",
             "Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here replace its own.",
-            |slot| slot.text_like(known.offered(kind).into_iter()),
+            |slot| slot.text_like(known.catalogue_entries(kind).into_iter()),
         );
         let mut context = Context::among(&known.objects);
         if kind.inputs == Inputs::One {

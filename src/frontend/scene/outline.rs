@@ -92,7 +92,7 @@ fn inputs(id: &str, node: &Node, inputs: Option<Inputs>) -> Vec<Input> {
         Some(_) => Inputs::One,
         None => Inputs::Several,
     });
-    let is_named = declared.written(node) == Inputs::Several;
+    let is_named = declared.alternative_in_text(node) == Inputs::Several;
     let port = |(name, output): (&str, Option<&str>)| Input {
         name: name.to_owned(),
         address: match is_named {

@@ -97,7 +97,7 @@ fn read_one(argument: &str, sources: &mut Sources) -> Result<Override, Vec<Diagn
     let Some((path, text)) = argument.split_once('=') else {
         return Err(form("this override has no `=`"));
     };
-    let parts = address::split(path.trim_end())
+    let parts = address::split_address(path.trim_end())
         .ok_or_else(|| form("this override does not begin with an address"))?;
     let offset = path.len() + 1;
     let value = match parse_fragment(text, source, offset) {
@@ -217,7 +217,7 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Di
             }
             Some(&mut members[at].value)
         }
-        (step, Value::List(items)) => step.entry().and_then(|index| items.get_mut(index)),
+        (step, Value::List(items)) => step.list_index().and_then(|index| items.get_mut(index)),
         _ => None,
     };
     match child {
@@ -233,8 +233,8 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Di
 fn no_such_part(node: &Node, change: &Override, part: usize) -> Diagnostic {
     let step = &change.parts[part].step;
     let message = match (step, &node.value) {
-        (_, Value::List(items)) if step.entry().is_some() => {
-            let index = step.entry().unwrap_or_default();
+        (_, Value::List(items)) if step.list_index().is_some() => {
+            let index = step.list_index().unwrap_or_default();
             let last = items.len().saturating_sub(1);
             format!("there is no entry {index}: this list has the entries 0 to {last}")
         }
@@ -243,5 +243,5 @@ fn no_such_part(node: &Node, change: &Override, part: usize) -> Diagnostic {
     };
     Diagnostic::error("bad-override", message)
         .at(change.place(part))
-        .also(node.place.clone(), "the value in question")
+        .with_place(node.place.clone(), "the value in question")
 }

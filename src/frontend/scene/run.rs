@@ -6,7 +6,7 @@ use super::{RunSpec, StartSpec};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{CONDITION_NAMES, Condition, UNTIL};
 use crate::frontend::object::KnownObject;
-use crate::frontend::object::{Measures, condition};
+use crate::frontend::object::{Measures, read_condition};
 use crate::frontend::read::{Bounds, Fields, Slot, did_you_mean, quoted_list};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -35,9 +35,9 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
             "start",
             "State at t = 0: `kinetostatic` (quiet; of a law that repeats, as before t = 0), `static`, `on_law`, or explicit states by object.",
             json!("kinetostatic"),
-            |slot| start(slot, known),
+            |slot| read_start(slot, known),
         );
-        let method = fields.or("method", "Method of integration.", json!("auto"), method);
+        let method = fields.or("method", "Method of integration.", json!("auto"), read_method);
         let tolerance_given = fields.has("tolerance");
         let tolerance = fields.or(
             "tolerance",
@@ -83,7 +83,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
             json!(1_000_000),
             |slot| slot.count(1..=1_000_000_000),
         );
-        let until = fields.maybe("until", ENDS, |slot| one_condition(slot, UNTIL, known));
+        let until = fields.maybe("until", ENDS, |slot| read_one_condition(slot, UNTIL, known));
         let first_times = fields.maybe("first_times", FIRST_TIMES, |slot| {
             slot.names(|name, mut slot| {
                 if name == UNTIL {
@@ -94,7 +94,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
                     fault.hints.push("choose another name".to_owned());
                     return None;
                 }
-                one_condition(slot, name, known)
+                read_one_condition(slot, name, known)
             })
         });
         let accuracy = fields.maybe("accuracy", ACCURACY, |slot| accuracy::read(slot, known));
@@ -118,7 +118,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
 }
 
 /// A condition on the motion of an object or of an output.
-fn one_condition(slot: Slot<'_>, name: &str, known: &ObjectTable) -> Option<Condition> {
+fn read_one_condition(slot: Slot<'_>, name: &str, known: &ObjectTable) -> Option<Condition> {
     slot.record(|fields| {
         let doc = "Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.";
         let object = fields.need("of", doc, |mut slot| {
@@ -134,12 +134,12 @@ fn one_condition(slot: Slot<'_>, name: &str, known: &ObjectTable) -> Option<Cond
         });
         let doc = "Comparisons over t, phi, phi_dot, acceleration, delta, reaction, contact_force and \
             clearance of the object, in SI units: \"phi > 0.3 && t > 1\".";
-        let expression = fields.need("condition", doc, |slot| condition(slot, &CONDITION_NAMES));
+        let expression = fields.need("condition", doc, |slot| read_condition(slot, &CONDITION_NAMES));
         Some(Condition { name: name.to_owned(), object: object?, expression: expression? })
     })
 }
 
-fn method(slot: Slot<'_>) -> Option<String> {
+fn read_method(slot: Slot<'_>) -> Option<String> {
     let exact = Method::Exact.name();
     let mut names = vec![("auto", "auto"), (exact, exact)];
     names.extend(Method::ALL.map(|method| (method.name(), method.name())));
@@ -181,7 +181,7 @@ fn check(fields: &mut Fields<'_>, run: &RunSpec) -> bool {
     fields.faults() == before
 }
 
-fn start(slot: Slot<'_>, known: &ObjectTable) -> Option<StartSpec> {
+fn read_start(slot: Slot<'_>, known: &ObjectTable) -> Option<StartSpec> {
     let names = [
         ("kinetostatic", StartSpec::Kinetostatic),
         ("static", StartSpec::Static),
@@ -189,7 +189,7 @@ fn start(slot: Slot<'_>, known: &ObjectTable) -> Option<StartSpec> {
     ];
     slot.object_or(
         |slot| {
-            let states = slot.map(|id, slot| state(slot, id, known))?;
+            let states = slot.map(|id, slot| read_state(slot, id, known))?;
             Some(StartSpec::Explicit(states))
         },
         |slot| slot.choice(&names),
@@ -197,7 +197,7 @@ fn start(slot: Slot<'_>, known: &ObjectTable) -> Option<StartSpec> {
 }
 
 /// Displacements and speeds of all masses of one object.
-fn state(mut slot: Slot<'_>, id: &str, known: &ObjectTable) -> Option<(Vec<f64>, Vec<f64>)> {
+fn read_state(mut slot: Slot<'_>, id: &str, known: &ObjectTable) -> Option<(Vec<f64>, Vec<f64>)> {
     let object = match known.objects.get(id) {
         Some(object) => *object,
         None if slot.describing() => KnownObject::default(),

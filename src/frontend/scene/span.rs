@@ -51,7 +51,7 @@ impl<'a> SpanAddress<'a> {
         let mut ends = [0.0; 2];
         let mut kind = None;
         for (end, text) in ends.iter_mut().zip([self.from, self.to]) {
-            let (value, own) = place(text).ok_or_else(|| {
+            let (value, own) = parse_place(text).ok_or_else(|| {
                 (
                     format!("`{text}` is no angle, time or length with its unit"),
                     form(),
@@ -114,7 +114,7 @@ enum Kind {
 }
 
 /// A place with its unit, in SI units.
-fn place(text: &str) -> Option<(f64, Kind)> {
+fn parse_place(text: &str) -> Option<(f64, Kind)> {
     let measure = parse(text).ok().filter(|found| !found.bare)?;
     let kinds: [(Quantity, Kind); 3] = [
         (q::TIME, Kind::Time),
@@ -134,7 +134,7 @@ pub(super) fn place_text(
     value: f64,
     dimension: crate::units::Dimension,
 ) -> Option<String> {
-    if place(text).is_some() {
+    if parse_place(text).is_some() {
         return Some(text.trim().to_owned());
     }
     let units = [(q::TIME, "s"), (q::ANGLE, "rad"), (q::LENGTH, "m")];

@@ -16,7 +16,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<SteadySpec> {
         let drive = fields.maybe(
             "drive",
             "The drive whose motion is wanted; not needed if there is one drive.",
-            |slot| drive(slot, known),
+            |slot| read_drive(slot, known),
         );
         let mean_speed = fields.maybe(
             "mean_speed",
@@ -75,7 +75,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<SteadySpec> {
 }
 
 /// The id of one of the scene's objects.
-fn drive(mut slot: Slot<'_>, known: &ObjectTable) -> Option<String> {
+fn read_drive(mut slot: Slot<'_>, known: &ObjectTable) -> Option<String> {
     let id = slot.read_in_place(|slot| slot.text())?;
     if known.objects.contains_key(&id) {
         return Some(id);

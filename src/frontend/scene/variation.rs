@@ -83,7 +83,7 @@ impl Variation {
             if before.get(number) == Some(setting) {
                 continue;
             }
-            if let Some(name) = self.put(setting)?
+            if let Some(name) = self.apply_setting(setting)?
                 && !touched.contains(&name)
             {
                 touched.push(name);
@@ -103,7 +103,7 @@ impl Variation {
 
     /// Puts a setting into the tree; returns the object that must be read, or
     /// `run`. `None`: it cannot be taken. No object: it is in the scene already.
-    fn put(&mut self, setting: &str) -> Option<Option<String>> {
+    fn apply_setting(&mut self, setting: &str) -> Option<Option<String>> {
         let (mut sources, mut faults) = (Sources::default(), Vec::new());
         let one = Overrides::new([setting]);
         let changes = overrides::read(&one, &mut sources, &mut faults);
@@ -136,7 +136,7 @@ impl Variation {
         let (node, known) = (self.root.get("run")?, &self.known);
         let mut reader = Reader::of_parts(&self.parameters, &self.files);
         let (found, _) = reader.read(Some(node), "run", |slot| run::read(slot, known));
-        self.scene.run = sound(&reader, found)?;
+        self.scene.run = read_without_faults(&reader, found)?;
         Some(())
     }
 
@@ -145,11 +145,12 @@ impl Variation {
         let before = *self.known.objects.get(id)?;
         let mut reader = Reader::of_parts(&self.parameters, &self.files);
         let known = &mut self.known;
-        let (found, _) = reader.read(Some(node), id, |slot| objects::object(slot, id, known));
+        let (found, _) = reader.read(Some(node), id, |slot| objects::read_object(slot, id, known));
         // The start has been read for the masses that there were.
         let after = known.objects.insert(id.to_owned(), before);
         let starts = matches!(self.scene.run.start, StartSpec::Explicit(_));
-        let found = sound(&reader, found).filter(|_| !starts || after == Some(before))?;
+        let found =
+            read_without_faults(&reader, found).filter(|_| !starts || after == Some(before))?;
         let place = self.scene.objects.get_mut(id)?;
         // What others see of it must not have changed.
         let same =
@@ -159,7 +160,7 @@ impl Variation {
 }
 
 /// What was read, if nothing was wrong with it.
-fn sound<T>(reader: &Reader, found: Option<T>) -> Option<T> {
+fn read_without_faults<T>(reader: &Reader, found: Option<T>) -> Option<T> {
     let wrong = |fault: &Diagnostic| fault.severity == Severity::Error;
     found.filter(|_| !reader.diagnostics.iter().any(wrong))
 }

@@ -6,7 +6,7 @@ use crate::units::shown;
 use std::f64::consts::FRAC_PI_2;
 
 /// Numbers out of range, and combinations that no follower has.
-pub(super) fn numbers(geometry: &CamGeometry, faults: &mut Faults) {
+pub(super) fn check_numbers(geometry: &CamGeometry, faults: &mut Faults) {
     faults.positive("cam.base_radius", geometry.base_radius);
     faults.finite("cam.direction", geometry.direction);
     match geometry.guide {

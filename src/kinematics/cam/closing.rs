@@ -11,7 +11,7 @@
 //! share r(φ) of its force: r·(preload + rate·x) with its own displacement x.
 //! Contact is kept where P ≥ 0 at every φ; what P is above zero is the margin.
 
-use super::motion::intervals;
+use super::motion::intervals_per_piece;
 use super::search::{At, evenly_spaced, refined};
 use crate::math::optimise::golden;
 use crate::math::roots::root;
@@ -96,7 +96,7 @@ pub struct ClosureProblem<'a> {
 impl<'a> ClosureProblem<'a> {
     /// The demand at φ in a piece, over stretches (rad) on which it is smooth.
     pub fn new(pieces: &[[f64; 2]], demand: &'a dyn Fn(usize, f64) -> Demand) -> Self {
-        let count = intervals(pieces.len());
+        let count = intervals_per_piece(pieces.len());
         let sampled = |(index, &ends): (usize, &[f64; 2])| {
             let places = evenly_spaced(ends, count);
             places.map(|phi| (phi, demand(index, phi))).collect()
@@ -118,7 +118,7 @@ impl<'a> ClosureProblem<'a> {
     }
 
     /// Least force P over the turn: the margin against lift-off.
-    pub fn least(&self, spring: ClosingSpring, speed: f64) -> At {
+    pub fn least_force(&self, spring: ClosingSpring, speed: f64) -> At {
         let found = self.greatest(&|demand| -demand.force(spring, speed));
         At {
             value: 0.0 - found.value,
@@ -145,7 +145,7 @@ impl<'a> ClosureProblem<'a> {
     /// (f + preload + rate·x)·x² + b·x + a = 0. Without damping
     /// ω*² = min (f + preload + rate·x)/(−a) over all φ with a < 0.
     pub fn separation_speed(&self, spring: ClosingSpring, sense: f64) -> LetsGo {
-        let rest = self.least(spring, 0.0);
+        let rest = self.least_force(spring, 0.0);
         if rest.value < 0.0 {
             return LetsGo::AtRest(At {
                 value: -rest.value,
@@ -205,7 +205,7 @@ impl<'a> ClosureProblem<'a> {
                 }),
             };
         }
-        let best = lowest(&|rate| lacking(rate).value, scale);
+        let best = place_of_lowest(&|rate| lacking(rate).value, scale);
         let at_best = lacking(best);
         let slack = 1e-12 * scale * stretch;
         if at_best.value > slack {
@@ -233,7 +233,7 @@ const FAR: f64 = 1e6;
 
 /// Where a convex function over 0 … [`FAR`]·`scale` is least; of a level bottom
 /// some place of it.
-fn lowest(f: &dyn Fn(f64) -> f64, scale: f64) -> f64 {
+fn place_of_lowest(f: &dyn Fn(f64) -> f64, scale: f64) -> f64 {
     // Over ln(1 + rate/scale): unimodal still, and all sizes are seen.
     let place = |x: f64| scale * x.exp_m1();
     place(golden(&mut |x| -f(place(x)), [0.0, FAR.ln_1p()], 90).at)

@@ -92,28 +92,28 @@ struct Tracer<'a> {
 impl Tracer<'_> {
     /// Corners of a piece, both ends among them.
     fn trace(&mut self, piece: &Piece) -> Result<(), Fault> {
-        self.put(piece, piece.from)?;
+        self.add_point(piece, piece.from)?;
         // A stack in place of recursion: what lies to the right waits.
         let mut waiting: Vec<(f64, f64)> = (1..=piece.intervals)
             .rev()
-            .map(|step| (piece.place(step - 1), piece.place(step)))
+            .map(|step| (piece.search_place(step - 1), piece.search_place(step)))
             .collect();
         // The pieces of the search are far finer than coarse polygons need.
         let mut open: Option<f64> = None;
         while let Some((from, to)) = waiting.pop() {
             let begin = open.unwrap_or(from);
-            if self.fits(piece, begin, to) {
+            if self.may_span(piece, begin, to) {
                 open = Some(begin);
                 let last = waiting.last().copied();
-                let longer = last.is_some_and(|(_, next)| self.fits(piece, begin, next));
+                let longer = last.is_some_and(|(_, next)| self.may_span(piece, begin, next));
                 if !longer {
-                    self.put(piece, to)?;
+                    self.add_point(piece, to)?;
                     open = None;
                 }
             } else {
                 let middle = 0.5 * (from + to);
                 if middle <= from || middle >= to {
-                    self.put(piece, to)?;
+                    self.add_point(piece, to)?;
                     open = None;
                 } else {
                     waiting.push((middle, to));
@@ -128,7 +128,7 @@ impl Tracer<'_> {
     /// in each interval, by half, as it is looked at in places.
     fn fewest(&self, piece: &Piece) -> f64 {
         let sides = |step: usize| {
-            let (from, to) = (piece.place(step - 1), piece.place(step));
+            let (from, to) = (piece.search_place(step - 1), piece.search_place(step));
             let bend = |share: usize| {
                 let phi = from + (to - from) * share as f64 / 4.0;
                 let touch = self.cam.touch(piece, phi);
@@ -141,7 +141,7 @@ impl Tracer<'_> {
     }
 
     /// Whether one side may span from … to.
-    fn fits(&self, piece: &Piece, from: f64, to: f64) -> bool {
+    fn may_span(&self, piece: &Piece, from: f64, to: f64) -> bool {
         let span = to - from;
         let (mut bend, mut turn) = (0.0f64, 0.0f64);
         for step in 0..=8 {
@@ -194,7 +194,7 @@ impl Tracer<'_> {
         Ok(())
     }
 
-    fn put(&mut self, piece: &Piece, phi: f64) -> Result<(), Fault> {
+    fn add_point(&mut self, piece: &Piece, phi: f64) -> Result<(), Fault> {
         let point = self.cam.curve_point(piece, phi, self.offset);
         self.push(phi, point)
     }

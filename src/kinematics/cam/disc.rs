@@ -78,7 +78,7 @@ impl DiscCam {
     /// the object (`cam.base_radius`, `position`).
     pub fn new(position: &Position, geometry: &CamGeometry) -> Result<Self, Vec<Fault>> {
         let mut faults = Faults::default();
-        check::numbers(geometry, &mut faults);
+        check::check_numbers(geometry, &mut faults);
         faults.check()?;
         let motion = FollowerMotion::new(position, geometry.outward, geometry.range)?;
         Self::of(Arc::new(motion), geometry)
@@ -114,7 +114,7 @@ impl DiscCam {
     fn check_finite(&self, faults: &mut Faults) {
         for piece in self.motion.pieces() {
             for step in 0..=piece.intervals {
-                let phi = piece.place(step);
+                let phi = piece.search_place(step);
                 let touch: Touch<f64> = self.touch(piece, phi);
                 let sum = touch.point[0] + touch.point[1] + touch.pressure + touch.bend;
                 if !(sum + touch.rate + touch.lever).is_finite() || touch.rate == 0.0 {

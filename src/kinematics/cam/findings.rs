@@ -107,7 +107,7 @@ impl DiscCam {
         let mut phi = rough;
         for _ in 0..30 {
             let sides = phi.map(|phi| {
-                let (piece, phi) = self.motion().locate(phi);
+                let (piece, phi) = self.motion().piece_at(phi);
                 let point = self.curve_point(piece, phi, offset);
                 let touch = self.touch(piece, phi);
                 let rate = self.curve_rates(&touch, offset).0;

@@ -110,7 +110,7 @@ impl FollowerMotion {
     fn check(&self, faults: &mut Faults) {
         for piece in &self.pieces {
             for step in 0..=piece.intervals {
-                let phi = piece.place(step);
+                let phi = piece.search_place(step);
                 if !self.raw(piece, phi).is_finite() {
                     let message = format!("the position function has no value at φ = {phi} rad");
                     let hint = "give the cam a `range` in which it has";
@@ -144,7 +144,7 @@ impl FollowerMotion {
             let mut before = self.raw(piece, piece.from);
             take(before.value);
             for step in 1..=piece.intervals {
-                let (from, to) = (piece.place(step - 1), piece.place(step));
+                let (from, to) = (piece.search_place(step - 1), piece.search_place(step));
                 let after = self.raw(piece, to);
                 take(after.value);
                 if before.first * after.first < 0.0 {
@@ -181,7 +181,7 @@ impl FollowerMotion {
     }
 
     /// The piece that holds φ (reduced to the turn of a closed cam).
-    pub fn locate(&self, phi: f64) -> (&Piece, f64) {
+    pub fn piece_at(&self, phi: f64) -> (&Piece, f64) {
         let (from, to) = self.range();
         let phi = match self.closed {
             true => from + (phi - from).rem_euclid(to - from),
@@ -216,7 +216,7 @@ impl FollowerMotion {
         let mut sizes = [0.0f64; 2];
         for piece in &self.pieces {
             for step in 0..=piece.intervals {
-                let jet = self.raw(piece, piece.place(step));
+                let jet = self.raw(piece, piece.search_place(step));
                 sizes = [
                     sizes[0].max(jet.first.abs()),
                     sizes[1].max(jet.second.abs()),
@@ -240,7 +240,7 @@ impl FollowerMotion {
 
 impl Piece {
     /// The place of a point of the search, 0 … `intervals`.
-    pub fn place(&self, step: usize) -> f64 {
+    pub fn search_place(&self, step: usize) -> f64 {
         if step == 0 {
             self.from
         } else if step >= self.intervals {
@@ -258,7 +258,7 @@ fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Option<Vec<Pie
     let mut edges = vec![from];
     let span = to - from;
     if !breaks.is_empty() {
-        let (mut segment, mut steps) = (breaks.locate(from, 1.0), 0);
+        let (mut segment, mut steps) = (breaks.segment_at(from, 1.0), 0);
         loop {
             let edge = breaks.edges(segment).1;
             if edge.is_nan() || edge >= to - 1e-12 * span {
@@ -275,7 +275,7 @@ fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Option<Vec<Pie
         }
     }
     edges.push(to);
-    let least = intervals(edges.len() - 1);
+    let least = intervals_per_piece(edges.len() - 1);
     let search = |span: f64| {
         let smooth = (4.0 * least as f64 * lobes * span / TAU).ceil();
         (smooth as usize).max(least)
@@ -285,7 +285,7 @@ fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Option<Vec<Pie
         .map(|pair| Piece {
             from: pair[0],
             to: pair[1],
-            segment: breaks.locate(0.5 * (pair[0] + pair[1]), 1.0),
+            segment: breaks.segment_at(0.5 * (pair[0] + pair[1]), 1.0),
             intervals: search(pair[1] - pair[0]),
         })
         .collect();
@@ -293,6 +293,6 @@ fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Option<Vec<Pie
 }
 
 /// Intervals that each of so many pieces is searched in at least.
-pub(crate) fn intervals(pieces: usize) -> usize {
+pub(crate) fn intervals_per_piece(pieces: usize) -> usize {
     (TOGETHER / pieces.max(1)).clamp(FEWEST, INTERVALS)
 }

@@ -45,10 +45,12 @@ impl DiscCam {
         let angle = angle.or_else(|| sharpest().filter(|_| outside));
         let (piece, phi) = self
             .motion()
-            .locate(angle.unwrap_or(self.motion().range().0));
+            .piece_at(angle.unwrap_or(self.motion().range().0));
         let state = self.at(piece, phi);
         let force = if outside { load } else { -load };
-        let both = self.bulge(&state, force).ok_or(NoStiffness::Edge)?;
+        let both = self
+            .sum_of_curvatures(&state, force)
+            .ok_or(NoStiffness::Edge)?;
         let own = match self.geometry().contact {
             Contact::Roller { radius } => 1.0 / radius,
             _ => 0.0,
@@ -86,12 +88,16 @@ impl DiscCam {
             return Some(0.0);
         }
         let load = force.abs() / material.thickness;
-        line_pressure(load, material.contact_modulus, self.bulge(state, force)?)
+        line_pressure(
+            load,
+            material.contact_modulus,
+            self.sum_of_curvatures(state, force)?,
+        )
     }
 
     /// Sum of the curvatures of follower and cam (1/m), positive where they bulge towards
     /// each other; of the flank of a groove that carries the force. `None`: an edge.
-    fn bulge(&self, state: &CamState, force: f64) -> Option<f64> {
+    fn sum_of_curvatures(&self, state: &CamState, force: f64) -> Option<f64> {
         let (follower, roller) = match self.geometry().contact {
             Contact::Roller { radius } => (1.0 / radius, radius),
             Contact::Flat { .. } => (0.0, 0.0),

@@ -1,6 +1,6 @@
 //! Extremes and sign changes of smooth functions over the pieces of a turn.
 
-use super::motion::{FollowerMotion, Piece, intervals};
+use super::motion::{FollowerMotion, Piece, intervals_per_piece};
 use crate::math::number::{Dual, Number};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
@@ -71,7 +71,7 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64
 pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: &dyn Fn(usize, f64) -> f64) -> At {
     let samples: Vec<Vec<(f64, f64)>> = (pieces.iter().enumerate())
         .map(|(index, &ends)| {
-            let places = evenly_spaced(ends, intervals(pieces.len()));
+            let places = evenly_spaced(ends, intervals_per_piece(pieces.len()));
             places.map(|phi| (phi, f(index, phi))).collect()
         })
         .collect();
@@ -90,7 +90,7 @@ pub(crate) fn evenly_spaced([from, to]: [f64; 2], count: usize) -> impl Iterator
 pub(crate) fn greatest(motion: &FollowerMotion, f: &dyn Fn(&Piece, f64) -> f64) -> At {
     let pieces = motion.pieces();
     let sampled = |piece: &Piece| {
-        let places = (0..=piece.intervals).map(|step| piece.place(step));
+        let places = (0..=piece.intervals).map(|step| piece.search_place(step));
         places.map(|phi| (phi, f(piece, phi))).collect()
     };
     let samples: Vec<Vec<(f64, f64)>> = pieces.iter().map(sampled).collect();
@@ -164,7 +164,7 @@ fn nodes(motion: &FollowerMotion, f: &dyn Fn(&Piece, Dual) -> Dual) -> Vec<Node>
         let mut before = at(piece.from);
         put(piece.from, before.value());
         for step in 1..=piece.intervals {
-            let (low, high) = (piece.place(step - 1), piece.place(step));
+            let (low, high) = (piece.search_place(step - 1), piece.search_place(step));
             let after = at(high);
             if before.derivative * after.derivative < 0.0 {
                 let phi = root(&|phi| at(phi).derivative, low, high);

@@ -1,13 +1,15 @@
 //! Putting the linkage together at the start: the branch of every dyad, the
 //! first position of every larger group.
 
-use super::choice::{Wrong, mismatch, names, number_text, requested_branch, start_in_words};
+use super::choice::{
+    Wrong, distance_from_choice, names, number_text, requested_branch, start_in_words,
+};
 use super::course::{Branch, Course, Table};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
 use super::guesses;
 use super::plan::{Plan, Step};
-use super::solve::{around, drive};
+use super::solve::{place_driven_link, surroundings_of_dyad};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
 use super::structure::Group;
@@ -43,7 +45,7 @@ pub(super) fn assemble(
 ) -> Result<Assembly, Vec<Fault>> {
     let mut state = at_start(plan, spec.start);
     placed_by_the_driver(spec, plan, &state)?;
-    let branches = self::groups(spec, plan, groups, &mut state, &mut |_, _| {})?;
+    let branches = self::choose_branches(spec, plan, groups, &mut state, &mut |_, _| {})?;
     plan.attach::<1>(&mut state);
     Ok(Assembly { state, branches })
 }
@@ -51,7 +53,7 @@ pub(super) fn assemble(
 /// What the driver places, at the start.
 pub(super) fn at_start(plan: &Plan, start: f64) -> State {
     let mut state = plan.state();
-    drive::<1>(plan, &mut state, start);
+    place_driven_link::<1>(plan, &mut state, start);
     state.reduced = start;
     driven_angle(plan, &mut state);
     state
@@ -62,7 +64,7 @@ pub(super) fn at_start(plan: &Plan, start: f64) -> State {
 ///
 /// # Errors
 /// A group cannot be assembled at the start, or it is not said how.
-pub(super) fn groups(
+pub(super) fn choose_branches(
     spec: &LinkageSpec,
     plan: &Plan,
     groups: &[Group],
@@ -78,7 +80,7 @@ pub(super) fn groups(
             .assembly
             .iter()
             .enumerate()
-            .filter(|(_, choice)| step.bodies().iter().any(|body| body.has(choice.link)))
+            .filter(|(_, choice)| step.bodies().iter().any(|body| body.has_link(choice.link)))
             .unzip();
         let sign = match step {
             Step::Dyad(dyad) => {
@@ -157,7 +159,7 @@ fn far_places(
         let AssemblyChoice::Near { .. } = choice.choice else {
             continue;
         };
-        let off = mismatch(choice, state, plan.size);
+        let off = distance_from_choice(choice, state, plan.size);
         if off > FARTHEST_PLACE && off > STILL_CLEARLY * other {
             let name = &spec.links[choice.link].name;
             faults.add(
@@ -184,8 +186,8 @@ fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Resul
         let branch = matches!(choice.choice, AssemblyChoice::Branch(_));
         let remark =
             !spec.redundant.is_empty() && matches!(choice.choice, AssemblyChoice::Near { .. });
-        let far = !remark && mismatch(choice, state, plan.size) > FAR;
-        if (branch || far) && !bodies.clone().any(|body| body.has(choice.link)) {
+        let far = !remark && distance_from_choice(choice, state, plan.size) > FAR;
+        if (branch || far) && !bodies.clone().any(|body| body.has_link(choice.link)) {
             let name = &spec.links[choice.link].name;
             faults.add(
                 format!("assembly.{name}"),
@@ -216,8 +218,8 @@ fn dyad_at_start(
     state: &mut State,
     index: usize,
 ) -> Result<(f64, Vec<f64>), Wrong> {
-    let around = around::<1>(dyad, state);
-    let side = dyad.side(&around);
+    let around = surroundings_of_dyad::<1>(dyad, state);
+    let side = dyad.side_of_second_rail(&around);
     let margin = dyad.directions(&around, side, plan.size).margin;
     let names = names(spec, &dyad.bodies);
     if !(margin.value > tolerance(&margin)) {
@@ -226,12 +228,12 @@ fn dyad_at_start(
     state.margins[index] = margin;
     let mut place = |sign: f64| -> Vec<f64> {
         let of = dyad.directions(&around, sign, plan.size).of;
-        for (body, frame) in dyad.bodies.iter().zip(dyad.place(&around, of)) {
-            state.put::<1>(body, &frame);
+        for (body, frame) in dyad.bodies.iter().zip(dyad.frames_of_bodies(&around, of)) {
+            state.place_body::<1>(body, &frame);
         }
         choices
             .iter()
-            .map(|choice| mismatch(choice, state, plan.size))
+            .map(|choice| distance_from_choice(choice, state, plan.size))
             .collect()
     };
     let asked = requested_branch(choices)?;
@@ -302,7 +304,7 @@ fn not_assemblable(
     names: &str,
     margin: &Margin,
 ) -> Wrong {
-    let around = around::<1>(dyad, state);
+    let around = surroundings_of_dyad::<1>(dyad, state);
     let [one, other] = [0, 1].map(|k| dyad.arm(&around, k).length().value());
     let apart = dyad.separation(&around).square().value().sqrt();
     let start = start_in_words(spec);
@@ -345,7 +347,7 @@ fn not_assemblable(
 }
 
 /// The course before anything is known of it but its start.
-pub(super) fn course(spec: &LinkageSpec, branches: Vec<Branch>) -> Course {
+pub(super) fn start_of_course(spec: &LinkageSpec, branches: Vec<Branch>) -> Course {
     Course {
         start: spec.start,
         ends: [f64::NEG_INFINITY, f64::INFINITY],

@@ -4,13 +4,13 @@
 //! to describe well.
 
 use super::assemble::{Assembly, angles_of, at_start};
-use super::choice::{mismatch, requested_branch};
+use super::choice::{distance_from_choice, requested_branch};
 use super::course::Branch;
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
 use super::guesses;
 use super::plan::{Plan, Step};
-use super::solve::around;
+use super::solve::surroundings_of_dyad;
 use super::spec::{AssemblyChoice, AssemblySpec};
 use super::state::State;
 
@@ -19,7 +19,7 @@ const MOST: usize = 64;
 
 /// The assemblies at the start that have the branches that were asked for, those first that are
 /// nearest to all that is `said`; `solved` is what of it concerns what is solved.
-pub(super) fn all(
+pub(super) fn assemblies_at_start(
     plan: &Plan,
     start: f64,
     said: &[AssemblySpec],
@@ -31,7 +31,7 @@ pub(super) fn all(
     }];
     for (index, step) in plan.steps.iter().enumerate() {
         let choices: Vec<&AssemblySpec> = (solved.iter())
-            .filter(|choice| step.bodies().iter().any(|body| body.has(choice.link)))
+            .filter(|choice| step.bodies().iter().any(|body| body.has_link(choice.link)))
             .collect();
         let Ok(asked) = requested_branch(&choices) else {
             return Vec::new();
@@ -39,7 +39,7 @@ pub(super) fn all(
         let on = ways.iter().flat_map(|way| match step {
             Step::Dyad(dyad) => of_dyad(plan, dyad, way, asked, index),
             Step::Newton(_) if asked.is_some() => Vec::new(),
-            Step::Newton(group) => guesses::all(plan, group, &way.state)
+            Step::Newton(group) => guesses::all_assemblies(plan, group, &way.state)
                 .into_iter()
                 .map(|(state, margin)| continued(way, state, step, index, (margin, 1.0)))
                 .collect(),
@@ -51,7 +51,7 @@ pub(super) fn all(
     }
     let off = |way: &Assembly| -> f64 {
         let each = said.iter();
-        each.map(|choice| mismatch(choice, &way.state, plan.size))
+        each.map(|choice| distance_from_choice(choice, &way.state, plan.size))
             .sum()
     };
     ways.sort_by(|one, other| off(one).total_cmp(&off(other)));
@@ -62,7 +62,7 @@ pub(super) fn all(
 pub(super) fn asks_in_vain(plan: &Plan, solved: &[AssemblySpec]) -> bool {
     let placed = |link: usize| {
         let mut bodies = plan.steps.iter().flat_map(Step::bodies);
-        bodies.any(|body| body.has(link))
+        bodies.any(|body| body.has_link(link))
     };
     let mut choices = solved.iter();
     choices.any(|one| matches!(one.choice, AssemblyChoice::Branch(_)) && !placed(one.link))
@@ -76,8 +76,8 @@ fn of_dyad(
     asked: Option<f64>,
     index: usize,
 ) -> Vec<Assembly> {
-    let around = around::<1>(dyad, &way.state);
-    let side = dyad.side(&around);
+    let around = surroundings_of_dyad::<1>(dyad, &way.state);
+    let side = dyad.side_of_second_rail(&around);
     let margin = dyad.directions(&around, side, plan.size).margin;
     if !(margin.value > tolerance(&margin)) {
         return Vec::new();
@@ -91,8 +91,8 @@ fn of_dyad(
     let put = |sign: f64| {
         let mut state = way.state.clone();
         let of = dyad.directions(&around, sign, plan.size).of;
-        for (body, frame) in dyad.bodies.iter().zip(dyad.place(&around, of)) {
-            state.put::<1>(body, &frame);
+        for (body, frame) in dyad.bodies.iter().zip(dyad.frames_of_bodies(&around, of)) {
+            state.place_body::<1>(body, &frame);
         }
         continued(way, state, &plan.steps[index], index, (margin, sign))
     };

@@ -51,7 +51,7 @@ impl Change {
     /// Interpolates `directions(input, sign)`: cos θ and sin θ of both bodies,
     /// the root having a sign. It is come upwards (`way` > 0) or downwards, with the
     /// root of the sign given. `None` where no smooth function goes through the point.
-    pub(super) fn fit(
+    pub(super) fn fit_directions(
         at: f64,
         (way, sign): (f64, f64),
         widest: f64,
@@ -66,7 +66,8 @@ impl Change {
                     true => [sign, beyond],
                     false => [beyond, sign],
                 };
-                let Some(fitted) = Self::through(at, signs, radius, &mut directions) else {
+                let Some(fitted) = Self::interpolate_signed(at, signs, radius, &mut directions)
+                else {
                     continue;
                 };
                 if fitted.noise < NEGLIGIBLE {
@@ -93,13 +94,14 @@ impl Change {
         &self,
         mut directions: impl FnMut(f64, f64) -> Option<[f64; 4]>,
     ) -> Option<Self> {
-        let mut again = Self::through(self.at, self.signs, self.radius, &mut directions)?;
+        let mut again =
+            Self::interpolate_signed(self.at, self.signs, self.radius, &mut directions)?;
         again.kept = self.kept;
         Some(again)
     }
 
     /// Interpolates with the signs of the root below and above.
-    fn through(
+    fn interpolate_signed(
         at: f64,
         signs: [f64; 2],
         radius: f64,
@@ -108,7 +110,7 @@ impl Change {
         let sign = |x: f64| if x < 0.0 { signs[0] } else { signs[1] };
         let places = PLACES.places.iter();
         let values = places.map(|&x| directions(at + radius * x, sign(x)));
-        let terms = expand(&values.collect::<Option<Vec<_>>>()?)?;
+        let terms = first_coefficients(&values.collect::<Option<Vec<_>>>()?)?;
         Some(Self::of(at, signs, radius, terms))
     }
 
@@ -136,7 +138,7 @@ impl Change {
 
     /// True when the input, this far from the point, is to be interpolated.
     #[inline(always)]
-    pub(super) fn holds(&self, distance: f64) -> bool {
+    pub(super) fn is_in_force_at(&self, distance: f64) -> bool {
         distance.abs() < USED * self.radius
     }
 
@@ -150,9 +152,9 @@ impl Change {
 }
 
 /// The first coefficients of all functions through values at the nodes.
-fn expand(values: &[[f64; 4]]) -> Option<[[f64; TERMS]; 4]> {
+fn first_coefficients(values: &[[f64; 4]]) -> Option<[[f64; TERMS]; 4]> {
     let terms = std::array::from_fn(|k| {
-        let fitted = PLACES.fit(&std::array::from_fn(|j| values[j][k]));
+        let fitted = PLACES.polynomial_through(&std::array::from_fn(|j| values[j][k]));
         std::array::from_fn(|n| fitted[n])
     });
     let mut all = terms.iter().flatten();
@@ -166,7 +168,7 @@ mod tests {
     #[test]
     fn a_smooth_function_is_continued_through_its_double_zero() {
         // Directions at the angles ±√(x²·e^x): the smooth one is x·e^(x/2).
-        let change = Change::fit(1.0, (-1.0, 1.0), 0.6, |q, side| {
+        let change = Change::fit_directions(1.0, (-1.0, 1.0), 0.6, |q, side| {
             let x: f64 = q - 1.0;
             let (sin, cos) = (side * (x * x * x.exp()).sqrt()).sin_cos();
             Some([cos, sin, 1.0, 0.0])
@@ -186,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_kink_is_not_continued() {
-        let kink = Change::fit(0.0, (1.0, 1.0), 0.6, |x: f64, _| {
+        let kink = Change::fit_directions(0.0, (1.0, 1.0), 0.6, |x: f64, _| {
             Some([x.abs().cos(), x.abs().sin(), 1.0, 0.0])
         });
         assert!(kink.is_none());

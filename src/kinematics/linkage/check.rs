@@ -39,7 +39,7 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
         spec.pairs.iter().map(|pair| &pair.name).chain(welds),
     );
     for point in &spec.ground {
-        place(found, &format!("ground.{}", point.name), point.at);
+        check_point(found, &format!("ground.{}", point.name), point.at);
     }
     links(spec, found);
     for pair in &spec.pairs {
@@ -81,7 +81,7 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
             "give the lower limit and the upper, the start between them",
         );
     }
-    place(found, "gravity", spec.gravity);
+    check_point(found, "gravity", spec.gravity);
     for force in &spec.forces {
         law(spec, &format!("forces.{}", force.name), &force.law, found);
     }
@@ -119,14 +119,14 @@ fn links(spec: &LinkageSpec, found: &mut Faults) {
         let path = format!("links.{}", link.name);
         found.not_negative(&format!("{path}.mass"), link.mass);
         found.not_negative(&format!("{path}.moment"), link.moment);
-        place(found, &format!("{path}.centre"), link.centre);
+        check_point(found, &format!("{path}.centre"), link.centre);
         for point in &link.points {
-            place(found, &format!("{path}.points.{}", point.name), point.at);
+            check_point(found, &format!("{path}.points.{}", point.name), point.at);
         }
     }
 }
 
-fn place(found: &mut Faults, path: &str, at: [f64; 2]) {
+fn check_point(found: &mut Faults, path: &str, at: [f64; 2]) {
     for (k, &coordinate) in at.iter().enumerate() {
         if !(coordinate.abs() <= FARTHEST) {
             let message = format!(
@@ -176,7 +176,7 @@ fn point(spec: &LinkageSpec, path: &str, point: &PointOf, found: &mut Faults) {
     if let Some(link) = point.link {
         index(found, path, link, spec.links.len(), "link");
     }
-    place(found, path, point.at);
+    check_point(found, path, point.at);
 }
 
 fn pair(spec: &LinkageSpec, pair: &PairSpec, found: &mut Faults) {
@@ -207,7 +207,7 @@ fn pair(spec: &LinkageSpec, pair: &PairSpec, found: &mut Faults) {
             found.finite(&format!("{path}.angle"), angle);
             found.not_negative(&format!("{path}.half_height"), half_height);
             moderate(found, &format!("{path}.half_height"), half_height);
-            place(found, &format!("{path}.corners"), corners);
+            check_point(found, &format!("{path}.corners"), corners);
             if corners[0] < corners[1] {
                 let message = format!("{} lies behind {}", corners[0], corners[1]);
                 found.add(
@@ -235,8 +235,8 @@ fn assembly(spec: &LinkageSpec, found: &mut Faults) {
             AssemblyChoice::Branch(_) => {}
             AssemblyChoice::Angle(angle) => found.finite(&format!("{path}.angle"), angle),
             AssemblyChoice::Near { point, place: at } => {
-                place(found, &format!("{path}.point"), point);
-                place(found, &format!("{path}.near"), at);
+                check_point(found, &format!("{path}.point"), point);
+                check_point(found, &format!("{path}.near"), at);
             }
         }
     }

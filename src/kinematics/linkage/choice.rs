@@ -26,7 +26,7 @@ pub(super) fn requested_branch(choices: &[&AssemblySpec]) -> Result<Option<f64>,
 }
 
 /// How far a link is from where it was said to be about, dimensionless.
-pub(super) fn mismatch(choice: &AssemblySpec, state: &State, size: f64) -> f64 {
+pub(super) fn distance_from_choice(choice: &AssemblySpec, state: &State, size: f64) -> f64 {
     let motion = &state.links[choice.link];
     match choice.choice {
         AssemblyChoice::Branch(_) => 0.0,

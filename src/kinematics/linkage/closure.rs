@@ -27,7 +27,7 @@ impl<const N: usize> TwoCircles<N> {
     /// From the first outer pin to the inner one, times 2·f, seen along the line
     /// to the second outer pin: the inner pin lies to its left on branch +.
     #[inline(always)]
-    pub(crate) fn pin(self, branch: f64) -> Vector<N> {
+    pub(crate) fn vector_to_inner_pin(self, branch: f64) -> Vector<N> {
         let [one, other] = self.factors;
         Vector::new(self.along, closing_root(one, other, branch))
     }
@@ -91,7 +91,7 @@ mod tests {
                 along: Series::constant(f * f + a * a - b * b),
             };
             // The height on the side of length 5 is 12/5, its foot 9/5 away.
-            let [x, y] = closure.pin(branch).value();
+            let [x, y] = closure.vector_to_inner_pin(branch).value();
             approx::assert_relative_eq!(x, 2.0 * f * 1.8, max_relative = 1e-15);
             approx::assert_relative_eq!(y, branch * 2.0 * f * 2.4, max_relative = 1e-15);
         }

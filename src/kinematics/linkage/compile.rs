@@ -7,7 +7,7 @@ use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
 use super::newton::{NewtonGroup, PreparedJoint, Side};
-use super::plan::{Driver, Plan, Step, size};
+use super::plan::{Driver, Plan, Step, typical_length};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind};
@@ -31,7 +31,7 @@ pub(super) fn compile(
     let spec = &skeleton.spec;
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
-    let bodies = bodies(skeleton, &driver);
+    let bodies = compile_bodies(skeleton, &driver);
     let others: Vec<usize> = (0..spec.pairs.len())
         .filter(|&p| p != spec.driver && skeleton.solves(p))
         .collect();
@@ -66,7 +66,7 @@ pub(super) fn compile(
         steps,
         attached: skeleton.attached.clone(),
         links: spec.links.len(),
-        size: size(spec),
+        size: typical_length(spec),
     };
     Ok((plan, listed))
 }
@@ -104,7 +104,7 @@ pub(super) fn solved_groups(
 ) -> Vec<(Option<Step>, Group)> {
     let solved = groups.iter().map(|group| {
         let own = |tie: &Tie| tie.belongs_to(group, groups);
-        let (pairs, couplings) = members(ties, others, own);
+        let (pairs, couplings) = pairs_and_couplings(ties, others, own);
         let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
             ([one, other], [_, _, _]) if closed_forms => {
                 dyad(spec, bodies, [*one, *other], &pairs, faults)
@@ -130,7 +130,11 @@ pub(super) fn solved_groups(
 
 /// The pairs of a group, and its couplings, the ties being those of the pairs in `others` and
 /// then those of all couplings.
-fn members(ties: &[Tie], others: &[usize], own: impl Fn(&Tie) -> bool) -> (Vec<usize>, Vec<usize>) {
+fn pairs_and_couplings(
+    ties: &[Tie],
+    others: &[usize],
+    own: impl Fn(&Tie) -> bool,
+) -> (Vec<usize>, Vec<usize>) {
     let (pairs, couplings) = ties.split_at(others.len());
     let pairs = others.iter().zip(pairs).filter(|(_, tie)| own(tie));
     let couplings = couplings.iter().enumerate().filter(|(_, tie)| own(tie));
@@ -140,7 +144,7 @@ fn members(ties: &[Tie], others: &[usize], own: impl Fn(&Tie) -> bool) -> (Vec<u
     )
 }
 
-fn bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
+fn compile_bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
     let spec = &skeleton.spec;
     let attached = |link: usize| skeleton.attached.iter().any(|one| one.link == link);
     let assembly = driver.assembly();
@@ -152,7 +156,7 @@ fn bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
     for link in 0..spec.links.len() {
         match assembly {
             _ if on_ground(link) || attached(link) => {}
-            Some(body) if body.has(link) => {
+            Some(body) if body.has_link(link) => {
                 let index = list.iter().position(|known| *known == body);
                 of_link[link] = Some(index.unwrap_or(list.len()));
                 if index.is_none() {
@@ -307,19 +311,19 @@ fn dyad(
             1.0
         },
     };
-    coinciding(spec, &dyad, inner, outer, faults);
+    refuse_coinciding_pins(spec, &dyad, inner, outer, faults);
     (Some(Step::Dyad(dyad)), kind)
 }
 
 /// Pins of one link that lie in the same place do not fix its direction.
-fn coinciding(
+fn refuse_coinciding_pins(
     spec: &LinkageSpec,
     dyad: &Dyad,
     inner: usize,
     outer: [usize; 2],
     faults: &mut Faults,
 ) {
-    let size = size(spec);
+    let size = typical_length(spec);
     let arms: &[usize] = match dyad.form {
         Form::Rrr => &[0, 1],
         Form::Rrp => &[0],

@@ -99,7 +99,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Goes on until it repeats, ends, or comes to `limit`.
-    pub(super) fn walk(mut self, limit: Option<f64>) -> WayEnd {
+    pub(super) fn continue_until_end(mut self, limit: Option<f64>) -> WayEnd {
         let (start, up) = (self.course.start, self.way > 0.0);
         let first = self.anchor.clone();
         let farthest = start
@@ -131,7 +131,7 @@ impl<'a> Walker<'a> {
                         return WayEnd::Ends(edge, cause);
                     }
                     if input_is_angle(self.plan) && reached == whole {
-                        if up && limit.is_none() && self.repeats(&first) {
+                        if up && limit.is_none() && self.is_back_at_start(&first) {
                             return WayEnd::Repeats(turn);
                         }
                         turn += 1;
@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
         for _ in 0..MOST_TRIALS {
             match self.examine(to) {
                 StepVerdict::Accept => {
-                    self.accept(to);
+                    self.go_to_place(to);
                     return Ok(to);
                 }
                 StepVerdict::Shorten(nearer) => to = nearer,
@@ -201,7 +201,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Goes to a place that was examined.
-    fn accept(&mut self, to: f64) {
+    fn go_to_place(&mut self, to: f64) {
         let groups = self.plan.steps.len();
         // It could be solved a moment ago, to a lower order.
         let _ = self.try_at::<4>(to, groups);
@@ -217,7 +217,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Everything is as it was at first.
-    fn repeats(&self, first: &Anchor) -> bool {
+    fn is_back_at_start(&self, first: &Anchor) -> bool {
         let size = self.plan.size;
         self.probe
             .links

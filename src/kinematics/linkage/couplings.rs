@@ -29,15 +29,15 @@ pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
         let mut links = coupling.links().into_iter().flatten();
         if let Some(link) = links.find(|link| *link >= spec.links.len()) {
             found.add(path, format!("there is no link number {link}"), "");
-        } else if let Err(wrong) = kind.fits(coupling, &spec.pairs) {
-            let [message, hint] = wrong.in_words(coupling, |link| named(spec, link));
+        } else if let Err(wrong) = kind.check_links(coupling, &spec.pairs) {
+            let [message, hint] = wrong.in_words(coupling, |link| link_name(spec, link));
             found.add(path, message, &hint);
         }
     }
 }
 
 /// Name of a link or of the ground.
-fn named(spec: &LinkageSpec, link: Option<usize>) -> String {
+fn link_name(spec: &LinkageSpec, link: Option<usize>) -> String {
     match link {
         Some(link) => format!("`{}`", spec.links[link].name),
         None => "the ground".to_owned(),
@@ -52,7 +52,7 @@ pub(crate) fn outlines(spec: &LinkageSpec) -> Vec<Outline> {
 }
 
 /// Sentences about couplings that are hardly meant so.
-pub(super) fn remarks(spec: &LinkageSpec) -> Vec<String> {
+pub(super) fn remarks_on_couplings(spec: &LinkageSpec) -> Vec<String> {
     let all = spec.couplings.iter();
     all.filter_map(|one| one.kind.as_kind().remark(&one.name))
         .collect()

@@ -47,7 +47,7 @@ impl Course {
 
     /// Distance of a reduced input from a change point, the nearest of all turns.
     #[inline(always)]
-    pub(super) fn distance(&self, reduced: f64, at: f64) -> f64 {
+    pub(super) fn distance_from_change(&self, reduced: f64, at: f64) -> f64 {
         let distance = reduced - at;
         match self.period {
             Some(period) => distance - period * (distance / period).round(),
@@ -62,8 +62,8 @@ impl Course {
         let mut sign = branch.sign;
         let mut near = None;
         for change in &branch.changes {
-            let distance = self.distance(reduced, change.at);
-            if change.holds(distance) {
+            let distance = self.distance_from_change(reduced, change.at);
+            if change.is_in_force_at(distance) {
                 near = Some((change, distance));
             }
             let passed = (self.start < change.at) == (change.at < reduced);
@@ -81,7 +81,7 @@ impl Course {
     pub(super) fn finish(&mut self, driver: &Driver) {
         let below = std::mem::take(&mut self.below);
         if !below.inputs.is_empty() {
-            self.table.join(below);
+            self.table.append_table(below);
         }
         let links = self.table.links;
         let start = self
@@ -131,14 +131,14 @@ pub(super) struct Table {
 
 impl Table {
     /// Index of the place before the reduced input.
-    pub(super) fn locate(&self, reduced: f64) -> usize {
+    pub(super) fn index_before(&self, reduced: f64) -> usize {
         let after = self.inputs.partition_point(|&place| place <= reduced);
         after.clamp(1, self.inputs.len().max(2) - 1) - 1
     }
 
     /// x, y, θ of a link about the reduced input, between the places `index` and
     /// the next.
-    pub(super) fn near(&self, index: usize, link: usize, reduced: f64) -> [f64; 3] {
+    pub(super) fn pose_near(&self, index: usize, link: usize, reduced: f64) -> [f64; 3] {
         let before = &self.rows[index * self.links + link];
         let Some(&to) = self.inputs.get(index + 1) else {
             return [before[0], before[1], before[2]];
@@ -180,7 +180,7 @@ impl Table {
 
     /// Puts the places of a table that begins with the same place and goes the
     /// other way in front.
-    fn join(&mut self, below: Table) {
+    fn append_table(&mut self, below: Table) {
         let links = self.links.max(1);
         let inputs = below.inputs[1..].iter().rev().copied();
         let rows = below.rows[links..]

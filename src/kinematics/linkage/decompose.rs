@@ -90,7 +90,7 @@ pub(super) type Held = (Vec<usize>, Vec<usize>);
 pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
     let mut handing = TieAssignment::new(ties, vec![NEEDED; bodies]);
     let mut held = handing.hand_out();
-    let free = handing.free();
+    let free = handing.underdetermined_bodies();
     if held.is_empty() && free.is_empty() {
         held.extend(overconstrained_part(bodies, ties));
     }
@@ -98,7 +98,7 @@ pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
         held.dedup();
         return Decomposition::Unfit { held, free };
     }
-    Decomposition::Groups(groups(&handing.dependencies()))
+    Decomposition::Groups(dependent_groups(&handing.dependencies()))
 }
 
 /// A part with more equations among its own bodies than hold them together.
@@ -193,7 +193,7 @@ impl TieAssignment<'_> {
     }
 
     /// Bodies with too few equations, and those from which they could take one.
-    fn free(&self) -> Vec<usize> {
+    fn underdetermined_bodies(&self) -> Vec<usize> {
         let counts = self.count.iter().zip(&self.needed);
         let mut free: Vec<bool> = counts.map(|(count, needed)| count < needed).collect();
         let mut grew = true;
@@ -226,7 +226,7 @@ impl TieAssignment<'_> {
 
 /// Sets of bodies that depend on each other, in an order in which each depends
 /// only on those before it; of several possible ones that with the lowest body.
-fn groups(dependencies: &[Vec<usize>]) -> Vec<Vec<usize>> {
+fn dependent_groups(dependencies: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let count = dependencies.len();
     let reach: Vec<Vec<bool>> = (0..count)
         .map(|from| {

@@ -111,7 +111,7 @@ impl Dyad {
 
     /// Frames of the bodies turned as `of`.
     #[inline]
-    pub(super) fn place<const N: usize>(
+    pub(super) fn frames_of_bodies<const N: usize>(
         &self,
         around: &DyadSurroundings<N>,
         of: [Vector<N>; 2],
@@ -119,21 +119,24 @@ impl Dyad {
         let relative = &around.relative;
         let known = |k: usize| around.known[k].place(self.known[k].point);
         match self.form {
-            Form::Rrr | Form::Rpr => {
-                [0, 1].map(|k| Frame::through(of[k], self.outer[k].place(relative), known(k)))
-            }
+            Form::Rrr | Form::Rpr => [0, 1].map(|k| {
+                Frame::frame_through_point(of[k], self.outer[k].place(relative), known(k))
+            }),
             Form::Rrp => {
-                let first = Frame::through(of[0], self.outer[0].place(relative), known(0));
-                let pin = first.at + self.inner[0].place(relative).seen(of[0]);
-                let second = Frame::through(of[1], self.inner[1].place(relative), pin);
+                let first =
+                    Frame::frame_through_point(of[0], self.outer[0].place(relative), known(0));
+                let pin = first.at + self.inner[0].place(relative).turned_to_ground(of[0]);
+                let second = Frame::frame_through_point(of[1], self.inner[1].place(relative), pin);
                 [first, second]
             }
             Form::Prp => {
-                let pin = self.crossing(around);
-                [0, 1].map(|k| Frame::through(of[k], self.inner[k].place(relative), pin))
+                let pin = self.place_of_inner_pin(around);
+                [0, 1]
+                    .map(|k| Frame::frame_through_point(of[k], self.inner[k].place(relative), pin))
             }
             Form::Rpp => {
-                let first = Frame::through(of[0], self.outer[0].place(relative), known(0));
+                let first =
+                    Frame::frame_through_point(of[0], self.outer[0].place(relative), known(0));
                 let second = self.slider(around, &first, of[1]);
                 [first, second]
             }
@@ -160,7 +163,7 @@ impl Dyad {
             along: square + (a - b) * (a + b),
         };
         let half = square.reciprocal().scale(0.5);
-        let to_pin = apart.turn(closure.pin(sign).times(half));
+        let to_pin = apart.complex_product(closure.vector_to_inner_pin(sign).times(half));
         let size = (a.value() + b.value()).powi(2) + square.value();
         let scale = 0.25 / (arms[0].unit(typical) * arms[1].unit(typical)).powi(2);
         let noise = size * (unstretched.value().abs() + unfolded.value().abs()) * scale;
@@ -252,7 +255,7 @@ impl Dyad {
         let off = along.cross(self.separation(around)) + self.aside(around, 1);
         let discriminant = (length - off) * (length + off);
         let ahead = circle_and_line(length - off, length + off, sign);
-        let to_pin = along.turn(Vector::new(ahead, off));
+        let to_pin = along.complex_product(Vector::new(ahead, off));
         let scale = arm.unit(typical).powi(-2);
         let reach = length.value().abs() + off.value().abs();
         Directions {
@@ -276,7 +279,7 @@ impl Dyad {
         let apart = self.separation(around);
         let square = apart.square();
         let seen = guide_between_pins(square, off, sign);
-        let along = apart.turn(seen).times(square.reciprocal());
+        let along = apart.complex_product(seen).times(square.reciprocal());
         let scale = (size * size).recip();
         Directions {
             of: [guides[0].frame(along), guides[1].frame(along)],
@@ -307,7 +310,7 @@ impl Dyad {
     }
 
     /// The side to which the second guide of PRP or RPP points; + for all others.
-    pub(super) fn side(&self, around: &DyadSurroundings<1>) -> f64 {
+    pub(super) fn side_of_second_rail(&self, around: &DyadSurroundings<1>) -> f64 {
         let sine = match self.form {
             Form::Prp => {
                 let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
@@ -321,11 +324,11 @@ impl Dyad {
 
     /// Where the inner pin of PRP lies.
     #[inline(always)]
-    fn crossing<const N: usize>(&self, around: &DyadSurroundings<N>) -> Vector<N> {
+    fn place_of_inner_pin<const N: usize>(&self, around: &DyadSurroundings<N>) -> Vector<N> {
         let (first, _) = self.guided(around, 0);
         let (second, _) = self.guided(around, 1);
-        let foot =
-            around.known[0].place(self.known[0].point) + first.left().times(self.aside(around, 0));
+        let foot = around.known[0].place(self.known[0].point)
+            + first.turned_left().times(self.aside(around, 0));
         let to = around.known[1].place(self.known[1].point) - foot;
         let missing = self.aside(around, 1) + second.cross(to);
         foot + first.times(missing * second.cross(first).reciprocal())
@@ -337,7 +340,7 @@ impl Dyad {
     fn rpp<const N: usize>(&self, around: &DyadSurroundings<N>, sign: f64) -> Directions<N> {
         let relative = &around.relative;
         let (_, second) = self.guided(around, 1);
-        let inner = self.inner[1].guide(relative).seen(second);
+        let inner = self.inner[1].guide(relative).turned_to_ground(second);
         let first = self.inner[0].guide(relative).frame(inner);
         let crossing = self.crossing_guides(relative).scale(sign);
         Directions {
@@ -356,13 +359,16 @@ impl Dyad {
     ) -> Frame<N> {
         let relative = &around.relative;
         let (out, _) = self.guided(around, 1);
-        let inner = self.inner[1].guide(relative).seen(direction);
-        let on_first = first.at + self.inner[0].place(relative).seen(first.direction);
+        let inner = self.inner[1].guide(relative).turned_to_ground(direction);
+        let on_first = first.at
+            + self.inner[0]
+                .place(relative)
+                .turned_to_ground(first.direction);
         let outer = around.known[1].place(self.known[1].point);
         // The inner element is moved along the inner guide until the outer one
         // lies on the outer guide.
         let missing = self.aside(around, 1) + out.cross(outer - on_first);
         let point = on_first + inner.times(missing * out.cross(inner).reciprocal());
-        Frame::through(direction, self.inner[1].place(relative), point)
+        Frame::frame_through_point(direction, self.inner[1].place(relative), point)
     }
 }

@@ -61,7 +61,7 @@ pub(super) struct Body {
 
 impl Body {
     /// True when the link is part of the body.
-    pub(super) fn has(&self, link: usize) -> bool {
+    pub(super) fn has_link(&self, link: usize) -> bool {
         self.base == link || self.driven == Some(link)
     }
 
@@ -143,16 +143,20 @@ impl<const N: usize> Frame<N> {
     #[inline(always)]
     pub(super) fn then(&self, inner: &Self) -> Self {
         Self {
-            at: self.at + self.direction.turn(inner.at),
-            direction: self.direction.turn(inner.direction),
+            at: self.at + self.direction.complex_product(inner.at),
+            direction: self.direction.complex_product(inner.direction),
         }
     }
 
     /// The frame turned as `direction` that has `point` at `world`.
     #[inline(always)]
-    pub(super) fn through(direction: Vector<N>, point: Local<N>, world: Vector<N>) -> Self {
+    pub(super) fn frame_through_point(
+        direction: Vector<N>,
+        point: Local<N>,
+        world: Vector<N>,
+    ) -> Self {
         Self {
-            at: world - point.seen(direction),
+            at: world - point.turned_to_ground(direction),
             direction,
         }
     }
@@ -162,7 +166,7 @@ impl<const N: usize> Frame<N> {
 pub(super) fn inverse<const N: usize>(frame: &Frame<N>) -> Frame<N> {
     let direction = frame.direction.mirrored();
     Frame {
-        at: -direction.turn(frame.at),
+        at: -direction.complex_product(frame.at),
         direction,
     }
 }

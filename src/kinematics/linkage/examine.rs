@@ -68,7 +68,7 @@ impl Walker<'_> {
             .filter(|step| iterated(step))
             .all(|step| {
                 step.bodies().iter().all(|body| {
-                    let [x, y, angle] = self.anchor.near(body.base, to);
+                    let [x, y, angle] = self.anchor.pose_near(body.base, to);
                     let motion = &links[body.base];
                     let off = (motion.at[0][0] - x).hypot(motion.at[1][0] - y) / self.plan.size;
                     let turned = nearest_turn(motion.angle(), angle) - angle;
@@ -143,18 +143,18 @@ impl Walker<'_> {
                 self.course.branches[group].changes.push(change);
                 StepVerdict::Again
             }
-            None => self.approach(lowest, group),
+            None => self.step_towards_end(lowest, group),
         }
     }
 
     /// The discriminant goes through zero before `to`.
     fn dead(&mut self, group: usize, to: f64) -> StepVerdict {
         let end = self.bisect(group, to, |margin| margin.value > 0.0);
-        self.approach(end, group)
+        self.step_towards_end(end, group)
     }
 
     /// Goes a part of the way to an end, which is reached when little is left.
-    fn approach(&mut self, end: f64, group: usize) -> StepVerdict {
+    fn step_towards_end(&mut self, end: f64, group: usize) -> StepVerdict {
         let left = end - self.place.at;
         if left.abs() > LEFT * self.unit {
             return StepVerdict::Shorten(self.place.at + 0.75 * left);
@@ -192,7 +192,7 @@ impl Walker<'_> {
         let (way, widest) = (self.way, 0.6 * self.unit);
         let (plan, course) = (self.plan, &*self.course);
         let (probe, guess) = (&mut self.probe, Guess::Near(&self.anchor));
-        Change::fit(at, (way, sign), widest, |input, sign| {
+        Change::fit_directions(at, (way, sign), widest, |input, sign| {
             directions(plan, course, guess, probe, (group, sign), input)
         })
     }

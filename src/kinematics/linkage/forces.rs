@@ -49,7 +49,7 @@ impl Linkage {
                 damping,
                 force,
             } => {
-                let length = distance(*from, *to, workspace);
+                let length = distance_between(*from, *to, workspace);
                 let part = spring_and_damper(length, *rate, *free_length, *damping);
                 with_tension(part, length, *force)
             }
@@ -104,7 +104,7 @@ impl Linkage {
 
 /// Distance of two points. Where they coincide the distance has a kink: its
 /// derivatives are taken as zero there.
-fn distance(from: PointOf, to: PointOf, workspace: &Workspace) -> Jet {
+fn distance_between(from: PointOf, to: PointOf, workspace: &Workspace) -> Jet {
     let place = |point: PointOf| {
         let (at, direction) = workspace.frame(point.link);
         at + direction.turn_constant(point.at)

@@ -1,7 +1,9 @@
 //! The first position of a larger group, from approximate positions of some of
 //! its links or from a number of trials.
 
-use super::choice::{Wrong, mismatch, names, number_text, requested_branch, start_in_words};
+use super::choice::{
+    Wrong, distance_from_choice, names, number_text, requested_branch, start_in_words,
+};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, PreparedJoint};
 use super::plan::Plan;
@@ -42,16 +44,20 @@ pub(super) fn assemble(
     let (found, closest) = find_assemblies(plan, group, choices, state);
     let start = start_in_words(spec);
     let chosen = choose(&names, choices, &found, closest * plan.size, &start)?;
-    chosen.put(group, state);
+    chosen.write_positions(group, state);
     Ok(chosen.margin)
 }
 
 /// All assemblies of a group that the trials find, and their margins.
-pub(super) fn all(plan: &Plan, group: &NewtonGroup, state: &State) -> Vec<(State, Margin)> {
+pub(super) fn all_assemblies(
+    plan: &Plan,
+    group: &NewtonGroup,
+    state: &State,
+) -> Vec<(State, Margin)> {
     let (found, _) = find_assemblies(plan, group, &[], &mut state.clone());
     let put = |one: Assembly| {
         let mut state = state.clone();
-        one.put(group, &mut state);
+        one.write_positions(group, &mut state);
         (state, one.margin)
     };
     found.into_iter().map(put).collect()
@@ -68,7 +74,7 @@ fn find_assemblies(
     let mut found: Vec<Assembly> = Vec::new();
     let mut closest = f64::INFINITY;
     for trial in 0..TRIALS {
-        guess(plan, group, choices, &mut scratch, trial);
+        guess_angles(plan, group, choices, &mut scratch, trial);
         let settled = refine_guess(group, state, &mut scratch, plan.size);
         let error = group.closing_error(state, &mut scratch, plan.size);
         if error.is_finite() {
@@ -78,10 +84,10 @@ fn find_assemblies(
         if !group.proper(state, &scratch) {
             continue;
         }
-        put(group, &scratch, state);
+        write_positions(group, &scratch, state);
         let mismatch = choices
             .iter()
-            .map(|choice| mismatch(choice, state, plan.size))
+            .map(|choice| distance_from_choice(choice, state, plan.size))
             .sum();
         let unknowns: Vec<f64> = scratch.unknowns.iter().map(|unknown| unknown[0]).collect();
         let known = found
@@ -104,12 +110,12 @@ fn find_assemblies(
 
 impl Assembly {
     /// Leaves its positions in a state.
-    fn put(&self, group: &NewtonGroup, state: &mut State) {
+    fn write_positions(&self, group: &NewtonGroup, state: &mut State) {
         let mut scratch = Scratch::new(group.bodies.len());
         for (unknown, value) in scratch.unknowns.iter_mut().zip(&self.unknowns) {
             unknown[0] = *value;
         }
-        put(group, &scratch, state);
+        write_positions(group, &scratch, state);
     }
 }
 
@@ -171,7 +177,7 @@ fn are_same_angles(one: &[f64], other: &[f64], size: f64) -> bool {
 
 /// Angles as given or, one after the other, all over the circle; places as
 /// given or near the middle.
-fn guess(
+fn guess_angles(
     plan: &Plan,
     group: &NewtonGroup,
     choices: &[&AssemblySpec],
@@ -218,12 +224,12 @@ fn refine_guess(
 ) -> Result<Margin, super::newton::NotConverged> {
     // Positions first, with the angles as guessed: their equations are linear.
     group.relax(state, scratch, size);
-    group.place::<1>(state, scratch, size)
+    group.place_by_newton::<1>(state, scratch, size)
 }
 
-fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
+fn write_positions(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
     for (index, body) in group.bodies.iter().enumerate() {
-        state.put(body, &NewtonGroup::frame::<1>(scratch, index));
+        state.place_body(body, &NewtonGroup::frame::<1>(scratch, index));
         // Where nothing counts the turns it is the angle in (−π, π].
         let angle = scratch.unknowns[3 * index + 2][0];
         state.near[body.base] = match group.ties.iter().any(PreparedJoint::counts_whole_turns) {

@@ -106,11 +106,11 @@ impl Linkage {
     /// then the first group that cannot be assembled at the start. Paths are
     /// relative to the linkage: `links.rod.mass`, `pairs.A`, `driver`.
     pub fn new(spec: LinkageSpec) -> Result<Self, Vec<Fault>> {
-        Self::with(spec, true)
+        Self::with_closed_forms(spec, true)
     }
 
     /// [`Self::new`], its dyads in closed form or by iteration.
-    fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
+    fn with_closed_forms(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
         Self::built(spec.clone(), closed_forms).or_else(|faults| {
             redundant::find_movable_linkage(&spec, closed_forms).unwrap_or(Err(faults))
@@ -135,7 +135,8 @@ impl Linkage {
         if assemblies::asks_in_vain(&plan, solved) {
             return None;
         }
-        let ways = assemblies::all(&plan, spec.start, &spec.assembly, solved).into_iter();
+        let ways =
+            assemblies::assemblies_at_start(&plan, spec.start, &spec.assembly, solved).into_iter();
         let mut ways =
             ways.filter(|way| redundant::holds_at_start(spec, &way.state, plan.size).is_ok());
         let made = (&plan, &groups);
@@ -159,7 +160,7 @@ impl Linkage {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
             group.branch = two_ways.then_some(branch.sign);
         }
-        let mut course = assemble::course(&spec, branches);
+        let mut course = assemble::start_of_course(&spec, branches);
         let ends = explore(solved, &plan, &mut course, &mut state)?;
         let range = ranged(&course, ends);
         let structure = Structure::new(&spec, groups);
@@ -184,7 +185,7 @@ impl Linkage {
 
     /// A length typical of it: the greatest distance between points of its pairs that
     /// belong to one link (m).
-    pub fn size(&self) -> f64 {
+    pub fn typical_length(&self) -> f64 {
         self.core.plan.size
     }
 
@@ -212,14 +213,18 @@ impl Linkage {
     /// holds a position that means nothing.
     pub fn solve(&self, q: f64, order: usize, workspace: &mut Workspace) -> Result<(), OutOfReach> {
         match order {
-            0 => self.place::<1>(q, workspace),
-            1 => self.place::<2>(q, workspace),
-            2 => self.place::<3>(q, workspace),
-            _ => self.place::<4>(q, workspace),
+            0 => self.place_all::<1>(q, workspace),
+            1 => self.place_all::<2>(q, workspace),
+            2 => self.place_all::<3>(q, workspace),
+            _ => self.place_all::<4>(q, workspace),
         }
     }
 
-    fn place<const N: usize>(&self, q: f64, workspace: &mut Workspace) -> Result<(), OutOfReach> {
+    fn place_all<const N: usize>(
+        &self,
+        q: f64,
+        workspace: &mut Workspace,
+    ) -> Result<(), OutOfReach> {
         let Core { plan, course, .. } = &*self.core;
         if !(course.ends[0] < q && q < course.ends[1] && q.is_finite()) {
             return Err(self.out_of_reach(q));
@@ -300,13 +305,13 @@ fn explore(
     let limits = spec
         .travel
         .map_or([None, None], |[from, to]| [Some(from), Some(to)]);
-    let up = Walker::new(plan, course, state, true).walk(limits[1]);
+    let up = Walker::new(plan, course, state, true).continue_until_end(limits[1]);
     if let WayEnd::Repeats(turns) = up {
         course.period = Some(TAU * turns as f64);
         course.finish(&plan.driver);
         return Ok([up; 2]);
     }
-    let down = Walker::new(plan, course, state, false).walk(limits[0]);
+    let down = Walker::new(plan, course, state, false).continue_until_end(limits[0]);
     for (end, way) in [down, up].into_iter().enumerate() {
         if let WayEnd::Ends(at, cause) = way {
             // The ends of the travel belong to it, dead-centre positions do not.

@@ -53,14 +53,14 @@ impl NewtonGroup {
     ///
     /// # Errors
     /// The iteration does not converge: not assemblable, or too bad a guess.
-    pub(super) fn place<const N: usize>(
+    pub(super) fn place_by_newton<const N: usize>(
         &self,
         state: &State,
         scratch: &mut Scratch,
         size: f64,
     ) -> Result<Margin, NotConverged> {
         let n = 3 * self.bodies.len();
-        let determinant = self.iterate(state, scratch, size)?;
+        let determinant = self.solve_unknowns(state, scratch, size)?;
         for k in 1..N {
             for unknown in &mut scratch.unknowns[..n] {
                 unknown[k] = 0.0;
@@ -88,7 +88,7 @@ impl NewtonGroup {
     }
 
     /// The values of the unknowns; returns the determinant of the matrix.
-    fn iterate(
+    fn solve_unknowns(
         &self,
         state: &State,
         scratch: &mut Scratch,

@@ -49,7 +49,7 @@ impl Driver {
             None => {
                 let direction = Vector::unit(input, 1.0);
                 let pin = Vector::constant(self.on.point);
-                Frame::through(direction, Local::Fixed(self.link.point), pin)
+                Frame::frame_through_point(direction, Local::Fixed(self.link.point), pin)
             }
             Some(turned) => {
                 let direction = Vector::constant(turned);
@@ -57,7 +57,7 @@ impl Driver {
                 let [u, v] = self.on.along;
                 let q = crate::math::series::Series::variable(input);
                 let block = Vector::new(q.scale(u).shift(x), q.scale(v).shift(y));
-                Frame::through(direction, Local::Fixed(self.link.point), block)
+                Frame::frame_through_point(direction, Local::Fixed(self.link.point), block)
             }
         }
     }
@@ -127,7 +127,7 @@ impl Plan {
 
 /// A length typical of the linkage: the greatest distance between points that
 /// belong together, or radius of a cam (m).
-pub(super) fn size(spec: &LinkageSpec) -> f64 {
+pub(super) fn typical_length(spec: &LinkageSpec) -> f64 {
     let points: Vec<PointOf> = spec.joints().collect();
     let mut size = spec.greatest_coupling();
     for (index, one) in points.iter().enumerate() {

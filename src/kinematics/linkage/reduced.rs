@@ -29,7 +29,7 @@ pub struct ReducedLinkage {
 
 impl Linkage {
     /// The linkage on its input coordinate, at the position solved for.
-    pub fn reduced(&self, workspace: &Workspace) -> ReducedLinkage {
+    pub fn reduced_linkage(&self, workspace: &Workspace) -> ReducedLinkage {
         let mut reduced = ReducedLinkage::default();
         match workspace.order() {
             0 => self.masses::<1>(workspace, &mut reduced),

@@ -71,7 +71,7 @@ impl Redundant {
     }
 
     /// By how much the pair is missed at a position (m; of a guide that turns, rad times `size`).
-    fn missed(&self, spec: &LinkageSpec, state: &State, size: f64) -> f64 {
+    fn closure_error(&self, spec: &LinkageSpec, state: &State, size: f64) -> f64 {
         let pair = &spec.pairs[self.pair];
         let place = |point: PointOf| state.frame::<1>(point.link).place(point.at).value();
         let (on, link) = (place(pair.on), place(pair.link));
@@ -103,9 +103,9 @@ fn pairs_of(spec: &LinkageSpec, link: usize) -> impl Iterator<Item = usize> + '_
 }
 
 /// By how much the constraints that are left out are missed at a position, in sizes of the linkage.
-fn missed(spec: &LinkageSpec, state: &State, size: f64) -> f64 {
+fn closure_error(spec: &LinkageSpec, state: &State, size: f64) -> f64 {
     let each = spec.redundant.iter();
-    each.map(|one| one.missed(spec, state, size) / size)
+    each.map(|one| one.closure_error(spec, state, size) / size)
         .fold(0.0, |most: f64, one| if one <= most { most } else { one })
 }
 
@@ -116,7 +116,7 @@ pub(super) fn holds_at_start(
     size: f64,
 ) -> Result<(), Vec<Fault>> {
     // The start is known to rounding, that of a larger group to what its iteration leaves.
-    match missed(spec, state, size) <= 1e3 * MISSED {
+    match closure_error(spec, state, size) <= 1e3 * MISSED {
         true => Ok(()),
         false => Err(not_redundant(spec, "at the start")),
     }
@@ -132,7 +132,7 @@ pub(super) fn holds_everywhere(linkage: &Linkage) -> Result<(), Vec<Fault>> {
     let [from, to] = match range.period {
         Some(period) => [range.start, range.start + period.length],
         None => range.ends().map(|end| {
-            let far = FAR * linkage.size();
+            let far = FAR * linkage.typical_length();
             end.clamp(range.start - far, range.start + far)
         }),
     };
@@ -140,7 +140,7 @@ pub(super) fn holds_everywhere(linkage: &Linkage) -> Result<(), Vec<Fault>> {
     let holds = |k: usize| {
         let q = from + (to - from) * (k as f64 + 0.5) / POSITIONS as f64;
         linkage.solve(q, 0, &mut workspace).is_ok()
-            && missed(spec, &workspace.state, linkage.size()) <= MISSED
+            && closure_error(spec, &workspace.state, linkage.typical_length()) <= MISSED
     };
     match (0..POSITIONS).all(holds) {
         true => Ok(()),

@@ -2,7 +2,7 @@
 //! approximate positions far from the assembly, cams that are undercut.
 
 use super::Linkage;
-use super::choice::{mismatch, number_text};
+use super::choice::{distance_from_choice, number_text};
 use super::couplings;
 use super::elements::slides;
 use super::solve::{Guess, solve};
@@ -26,7 +26,7 @@ impl Linkage {
         let mut remarks = self.far_positions();
         remarks.extend(self.links_without_length());
         remarks.extend(self.still_outputs());
-        remarks.extend(couplings::remarks(self.spec()));
+        remarks.extend(couplings::remarks_on_couplings(self.spec()));
         remarks
     }
 
@@ -42,7 +42,7 @@ impl Linkage {
         }
         plan.attach::<1>(&mut state);
         let far = |choice: &AssemblySpec| {
-            let off = mismatch(choice, &state, plan.size);
+            let off = distance_from_choice(choice, &state, plan.size);
             let name = &spec.links[choice.link].name;
             match choice.choice {
                 AssemblyChoice::Near { .. } if off > OFF => Some(format!(
@@ -66,7 +66,7 @@ impl Linkage {
 
     /// Links of which all pins lie in one place.
     fn links_without_length(&self) -> Vec<String> {
-        let (spec, size) = (self.spec(), self.size());
+        let (spec, size) = (self.spec(), self.typical_length());
         let links = 0..spec.links.len();
         links
             .filter_map(|link| {
@@ -111,8 +111,8 @@ impl Linkage {
             }
         }
         let outputs = self.spec().outputs.iter().zip(greatest);
-        let still =
-            outputs.filter(|(output, greatest)| *greatest <= STILL * self.ordinary(&output.kind));
+        let still = outputs
+            .filter(|(output, greatest)| *greatest <= STILL * self.ordinary_transfer(&output.kind));
         still
             .map(|(output, _)| {
                 let why = match output.kind {
@@ -126,10 +126,10 @@ impl Linkage {
     }
 
     /// Transfer function of an output that moves as the linkage is large.
-    fn ordinary(&self, output: &OutputKind) -> f64 {
+    fn ordinary_transfer(&self, output: &OutputKind) -> f64 {
         let spec = self.spec();
         let sliding = |pair: usize| slides(&spec.pairs[pair]);
-        let unit = |sliding: bool| if sliding { self.size() } else { 1.0 };
+        let unit = |sliding: bool| if sliding { self.typical_length() } else { 1.0 };
         let own = match output {
             OutputKind::Angle { .. } => false,
             OutputKind::Point { .. } => true,

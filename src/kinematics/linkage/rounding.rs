@@ -13,7 +13,7 @@ use super::course::Course;
 use super::dyad::Form;
 use super::plan::{Plan, Step};
 use super::skeleton::Skeleton;
-use super::solve::{Guess, Stuck, around, solve};
+use super::solve::{Guess, Stuck, solve, surroundings_of_dyad};
 use super::spec::{LinkageSpec, PairKind};
 use super::state::State;
 use super::{Core, Linkage, Workspace};
@@ -156,7 +156,7 @@ pub(super) fn directions(
         Ok(()) => {}
         Err(Stuck(_)) => return None,
     }
-    let found = dyad.directions(&around::<1>(dyad, state), sign, plan.size);
+    let found = dyad.directions(&surroundings_of_dyad::<1>(dyad, state), sign, plan.size);
     let [one, other] = found.of.map(|direction| direction.value());
     Some([one[0], one[1], other[0], other[1]])
 }
@@ -169,7 +169,7 @@ pub(super) fn perturbed(spec: &LinkageSpec, size: f64, seed: u64) -> LinkageSpec
         for at in [&mut pair.on.at, &mut pair.link.at] {
             let scale = at.iter().fold(size, |most, x| most.max(x.abs()));
             for x in at {
-                *x += random.next() * MOVED * f64::EPSILON * scale;
+                *x += random.next_random() * MOVED * f64::EPSILON * scale;
             }
         }
         if let PairKind::Sliding {
@@ -177,7 +177,7 @@ pub(super) fn perturbed(spec: &LinkageSpec, size: f64, seed: u64) -> LinkageSpec
         } = &mut pair.kind
         {
             for turned in [direction, angle] {
-                *turned += random.next() * MOVED * f64::EPSILON;
+                *turned += random.next_random() * MOVED * f64::EPSILON;
             }
         }
     }
@@ -189,7 +189,7 @@ struct Random(u64);
 
 impl Random {
     /// The next one, in −1 … 1.
-    fn next(&mut self) -> f64 {
+    fn next_random(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut mixed = self.0;
         mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -42,7 +42,7 @@ impl Anchor {
     }
 
     /// x, y, θ of a link at an input.
-    pub(super) fn near(&self, link: usize, input: f64) -> [f64; 3] {
+    pub(super) fn pose_near(&self, link: usize, input: f64) -> [f64; 3] {
         let t = input - self.at;
         self.series[link].map(|[a, b, c, d]| a + t * (b + t * (c + t * d)))
     }
@@ -63,12 +63,14 @@ pub(super) fn solve<const N: usize>(
     (input, reduced): (f64, f64),
     groups: usize,
 ) -> Result<(), Stuck> {
-    drive::<N>(plan, state, input);
+    place_driven_link::<N>(plan, state, input);
     state.reduced = reduced;
     for (index, step) in plan.steps[..groups].iter().enumerate() {
         match step {
-            Step::Dyad(dyad) => place::<N>(plan, course, dyad, state, reduced, index)?,
-            Step::Newton(group) => iterate::<N>(plan, group, guess, state, reduced, index)?,
+            Step::Dyad(dyad) => place_dyad::<N>(plan, course, dyad, state, reduced, index)?,
+            Step::Newton(group) => {
+                place_by_iteration::<N>(plan, group, guess, state, reduced, index)?
+            }
         }
     }
     if groups == plan.steps.len() {
@@ -79,7 +81,7 @@ pub(super) fn solve<const N: usize>(
 
 /// Places the driven link, or the two links of the driver against each other.
 #[inline]
-pub(super) fn drive<const N: usize>(plan: &Plan, state: &mut State, input: f64) {
+pub(super) fn place_driven_link<const N: usize>(plan: &Plan, state: &mut State, input: f64) {
     let driver = &plan.driver;
     let relative = driver.relative_frame::<N>(input);
     match (driver.on.link, driver.link.link) {
@@ -91,7 +93,10 @@ pub(super) fn drive<const N: usize>(plan: &Plan, state: &mut State, input: f64) 
 
 /// Surroundings of a dyad, as far as they are known.
 #[inline(always)]
-pub(super) fn around<const N: usize>(dyad: &Dyad, state: &State) -> DyadSurroundings<N> {
+pub(super) fn surroundings_of_dyad<const N: usize>(
+    dyad: &Dyad,
+    state: &State,
+) -> DyadSurroundings<N> {
     DyadSurroundings {
         known: [
             state.frame(dyad.known[0].link),
@@ -102,7 +107,7 @@ pub(super) fn around<const N: usize>(dyad: &Dyad, state: &State) -> DyadSurround
 }
 
 #[inline]
-fn place<const N: usize>(
+fn place_dyad<const N: usize>(
     plan: &Plan,
     course: &Course,
     dyad: &Dyad,
@@ -110,7 +115,7 @@ fn place<const N: usize>(
     reduced: f64,
     index: usize,
 ) -> Result<(), Stuck> {
-    let around = around::<N>(dyad, state);
+    let around = surroundings_of_dyad::<N>(dyad, state);
     let (sign, near) = course.branch(index, reduced);
     let mut found = dyad.directions(&around, sign, plan.size);
     state.margins[index] = found.margin;
@@ -119,13 +124,13 @@ fn place<const N: usize>(
         None if found.margin.value > 0.0 => {}
         None => return Err(Stuck(index)),
     }
-    let frames: [Frame<N>; 2] = dyad.place(&around, found.of);
-    state.put(&dyad.bodies[0], &frames[0]);
-    state.put(&dyad.bodies[1], &frames[1]);
+    let frames: [Frame<N>; 2] = dyad.frames_of_bodies(&around, found.of);
+    state.place_body(&dyad.bodies[0], &frames[0]);
+    state.place_body(&dyad.bodies[1], &frames[1]);
     Ok(())
 }
 
-fn iterate<const N: usize>(
+fn place_by_iteration<const N: usize>(
     plan: &Plan,
     group: &NewtonGroup,
     guess: Guess<'_>,
@@ -135,7 +140,7 @@ fn iterate<const N: usize>(
 ) -> Result<(), Stuck> {
     let mut scratch = std::mem::take(&mut state.scratch);
     let place = match guess {
-        Guess::Table(table) => table.locate(reduced),
+        Guess::Table(table) => table.index_before(reduced),
         Guess::Near(_) => 0,
     };
     for (body, unknowns) in group
@@ -144,8 +149,8 @@ fn iterate<const N: usize>(
         .zip(scratch.unknowns.chunks_exact_mut(3))
     {
         let values = match guess {
-            Guess::Table(table) => table.near(place, body.base, reduced),
-            Guess::Near(anchor) => anchor.near(body.base, reduced),
+            Guess::Table(table) => table.pose_near(place, body.base, reduced),
+            Guess::Near(anchor) => anchor.pose_near(body.base, reduced),
         };
         for (unknown, value) in unknowns.iter_mut().zip(values) {
             unknown[0] = value;
@@ -153,15 +158,15 @@ fn iterate<const N: usize>(
     }
     for link in group.ties.iter().flat_map(PreparedJoint::known_links) {
         state.near[link] = match guess {
-            Guess::Table(table) => table.near(place, link, reduced)[2],
-            Guess::Near(anchor) => anchor.near(link, reduced)[2],
+            Guess::Table(table) => table.pose_near(place, link, reduced)[2],
+            Guess::Near(anchor) => anchor.pose_near(link, reduced)[2],
         };
     }
-    let found = group.place::<N>(state, &mut scratch, plan.size);
+    let found = group.place_by_newton::<N>(state, &mut scratch, plan.size);
     if let Ok(margin) = found {
         state.margins[index] = margin;
         for (index, body) in group.bodies.iter().enumerate() {
-            state.put(body, &NewtonGroup::frame::<N>(&scratch, index));
+            state.place_body(body, &NewtonGroup::frame::<N>(&scratch, index));
         }
     }
     state.scratch = scratch;

@@ -110,7 +110,7 @@ impl State {
 
     /// Puts a body, with the driven link if it has one, into its place.
     #[inline(always)]
-    pub(super) fn put<const N: usize>(&mut self, body: &Body, frame: &Frame<N>) {
+    pub(super) fn place_body<const N: usize>(&mut self, body: &Body, frame: &Frame<N>) {
         self.links[body.base].set(frame);
         if let Some(driven) = body.driven {
             let relative = self.relative_frame::<N>();

@@ -102,7 +102,7 @@ impl<const N: usize, T: Number> Vector<N, T> {
 
     /// Turned by a quarter turn to the left.
     #[inline(always)]
-    pub(crate) fn left(self) -> Self {
+    pub(crate) fn turned_left(self) -> Self {
         Self::new(-self.y, self.x)
     }
 
@@ -113,14 +113,14 @@ impl<const N: usize, T: Number> Vector<N, T> {
 
     /// The product as complex numbers: `other` turned and stretched by `self`.
     #[inline(always)]
-    pub(crate) fn turn(self, other: Self) -> Self {
+    pub(crate) fn complex_product(self, other: Self) -> Self {
         Self::new(
             self.x * other.x - self.y * other.y,
             self.x * other.y + self.y * other.x,
         )
     }
 
-    /// [`Self::turn`] of a constant vector.
+    /// [`Self::complex_product`] of a constant vector.
     #[inline(always)]
     pub(crate) fn turn_constant(self, [x, y]: [f64; 2]) -> Self {
         Self::new(
@@ -238,10 +238,10 @@ impl<const N: usize> Local<N> {
 
     /// The vector as seen from the ground, `direction` being that of the frame.
     #[inline(always)]
-    pub(crate) fn seen(self, direction: Vector<N>) -> Vector<N> {
+    pub(crate) fn turned_to_ground(self, direction: Vector<N>) -> Vector<N> {
         match self {
             Self::Fixed(at) | Self::Arm(Arm { at, .. }) => direction.turn_constant(at),
-            Self::Moving(vector) => direction.turn(vector),
+            Self::Moving(vector) => direction.complex_product(vector),
         }
     }
 
@@ -256,7 +256,7 @@ impl<const N: usize> Local<N> {
             }
             Self::Arm(arm) => world.turn_constant(arm.inverse),
             Self::Moving(vector) => world
-                .turn(vector.mirrored())
+                .complex_product(vector.mirrored())
                 .times(vector.square().reciprocal()),
         }
     }

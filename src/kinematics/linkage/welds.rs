@@ -41,7 +41,7 @@ impl Place {
     }
 
     /// The place of a link turned by `angle` against this one, whose point `own` lies on `here`.
-    fn beyond(&self, here: [f64; 2], own: [f64; 2], angle: f64) -> Self {
+    fn place_of_welded_link(&self, here: [f64; 2], own: [f64; 2], angle: f64) -> Self {
         let turned = Self {
             base: self.base,
             at: [0.0; 2],
@@ -98,13 +98,13 @@ fn places(spec: &LinkageSpec, preferred: impl IntoIterator<Item = usize>) -> Vec
         if let Some(link) = base {
             places[link] = Some(first);
         }
-        spread(spec, first, &mut places);
+        place_welded(spec, first, &mut places);
     }
     places
 }
 
 /// Places all that welds join to a base.
-fn spread(spec: &LinkageSpec, first: Place, places: &mut [Option<Place>]) {
+fn place_welded(spec: &LinkageSpec, first: Place, places: &mut [Option<Place>]) {
     let mut grew = true;
     while grew {
         grew = false;
@@ -115,10 +115,14 @@ fn spread(spec: &LinkageSpec, first: Place, places: &mut [Option<Place>]) {
             };
             let (one, other) = (place(&weld.on, places), place(&weld.link, places));
             let (to, found) = match (one, other) {
-                (Some(on), None) => (&weld.link, on.beyond(weld.on.at, weld.link.at, weld.angle)),
-                (None, Some(link)) => {
-                    (&weld.on, link.beyond(weld.link.at, weld.on.at, -weld.angle))
-                }
+                (Some(on), None) => (
+                    &weld.link,
+                    on.place_of_welded_link(weld.on.at, weld.link.at, weld.angle),
+                ),
+                (None, Some(link)) => (
+                    &weld.on,
+                    link.place_of_welded_link(weld.link.at, weld.on.at, -weld.angle),
+                ),
                 _ => continue,
             };
             if let Some(link) = to.link.filter(|&link| link < places.len()) {
@@ -183,7 +187,7 @@ impl AttachedLink {
     }
 
     /// Its angle, those of all links being known (rad).
-    pub(super) fn turned(&self, angles: &[f64]) -> f64 {
+    pub(super) fn angle_of_link(&self, angles: &[f64]) -> f64 {
         self.base.map_or(0.0, |base| angles[base]) + self.angle
     }
 

@@ -36,7 +36,7 @@ pub struct Pose {
 
 impl Pose {
     /// A point given in this frame (m).
-    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub fn to_ground(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.x + self.cos * x - self.sin * y,
             self.y + self.sin * x + self.cos * y,
@@ -109,8 +109,8 @@ impl Workspace {
     /// and the angle of the driver's pair being equal to the input there.
     pub fn angle(&self, link: usize) -> f64 {
         let course = &self.core.course;
-        let place = course.table.locate(self.reduced);
-        let near = course.table.near(place, link, self.reduced)[2];
+        let place = course.table.index_before(self.reduced);
+        let near = course.table.pose_near(place, link, self.reduced)[2];
         let gain = course.table.gains.get(link).copied().unwrap_or(0.0);
         nearest_turn(self.state.links[link].angle(), near + self.turns * gain)
     }

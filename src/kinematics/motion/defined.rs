@@ -26,7 +26,7 @@ impl WrittenMotion {
         let breaks = self.breaks();
         let (mut from, mut left) = (0.0, STRETCHES);
         for _ in 0..PIECES {
-            let segment = breaks.locate(from, 1.0);
+            let segment = breaks.segment_at(from, 1.0);
             let to = breaks.edges(segment).1.min(end);
             let piece = Piece {
                 written: self,

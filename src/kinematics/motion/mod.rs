@@ -362,7 +362,7 @@ mod tests {
         for motion in motions() {
             let breaks = motion.breaks();
             for time in [-0.05, 0.07, 0.31, 0.39, 0.47, 0.55, 1.3] {
-                let segment = breaks.locate(time, 1.0);
+                let segment = breaks.segment_at(time, 1.0);
                 let [left, middle, right] = [-h, 0.0, h].map(|d| motion.jet(segment, time + d));
                 let slope = |f: fn(&Jet) -> f64| (f(&right) - f(&left)) / (2.0 * h);
                 approx::assert_abs_diff_eq!(slope(|j| j.value), middle.first, epsilon = 1e-6);
@@ -403,12 +403,12 @@ mod tests {
     fn a_run_up_by_a_law_reaches_its_speed_with_the_acceleration_of_the_law() {
         let motion = &motions()[2];
         let breaks = motion.breaks();
-        assert_eq!(motion.jet(breaks.locate(-0.1, 1.0), -0.1).value, 0.4);
-        let jet = motion.jet(breaks.locate(0.5, 1.0), 0.5);
+        assert_eq!(motion.jet(breaks.segment_at(-0.1, 1.0), -0.1).value, 0.4);
+        let jet = motion.jet(breaks.segment_at(0.5, 1.0), 0.5);
         approx::assert_relative_eq!(jet.first, -20.0, max_relative = 1e-14);
         // θ″/θ′ of the unequal trapezoid is 1/σ.
         let filling = 1.0 - 0.625 * (1.0 - 2.0 / std::f64::consts::PI);
-        let jet = motion.jet(breaks.locate(0.1, 1.0), 0.1);
+        let jet = motion.jet(breaks.segment_at(0.1, 1.0), 0.1);
         let wanted = -20.0 / 0.5 / filling;
         approx::assert_relative_eq!(jet.second, wanted, max_relative = 1e-13);
     }

@@ -40,7 +40,7 @@ impl LawRunUp {
     }
 
     /// Angle turned during the run-up (rad).
-    pub fn turned(&self) -> f64 {
+    pub fn angle_of_run_up(&self) -> f64 {
         self.speed * self.time / self.law.at(1.0).first
     }
 
@@ -51,10 +51,14 @@ impl LawRunUp {
             segment => segment as usize - 1,
         };
         if piece > last {
-            return uniform(self.angle + self.turned(), self.speed, time - self.time);
+            return uniform(
+                self.angle + self.angle_of_run_up(),
+                self.speed,
+                time - self.time,
+            );
         }
         let jet = self.law.jet(piece, time / self.time);
-        let (turned, rate) = (self.turned(), 1.0 / self.time);
+        let (turned, rate) = (self.angle_of_run_up(), 1.0 / self.time);
         Jet {
             value: self.angle + turned * jet.value,
             first: turned * rate * jet.first,

@@ -37,7 +37,7 @@ impl WrittenMotion {
             faults.add(path, message, hint);
             faults.check()?;
         }
-        let start = motion.jet(motion.breaks.locate(0.0, 1.0), 0.0);
+        let start = motion.jet(motion.breaks.segment_at(0.0, 1.0), 0.0);
         if !start.is_finite() {
             let message = format!(
                 "\"{}\" has no finite value, speed, acceleration and jerk at t = 0",

@@ -49,7 +49,7 @@ pub(super) struct ForbiddenArcs {
 impl ForbiddenArcs {
     /// The open interval around θ, `None` when the crank turns fully.
     pub(super) fn reach_from(&self, theta: f64) -> Result<Option<(f64, f64)>, OutOfReach> {
-        let intervals = self.intervals(theta);
+        let intervals = self.nearest_intervals(theta);
         if intervals.is_empty() {
             return Ok(None);
         }
@@ -61,7 +61,7 @@ impl ForbiddenArcs {
     }
 
     /// The one or two intervals nearest to θ; empty when the crank turns fully.
-    fn intervals(&self, theta: f64) -> Vec<(f64, f64)> {
+    fn nearest_intervals(&self, theta: f64) -> Vec<(f64, f64)> {
         let ForbiddenArcs {
             centre,
             half_widths,

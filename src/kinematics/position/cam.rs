@@ -226,7 +226,7 @@ mod tests {
                     (300.0, 0.0),
                 ] {
                     let phi = f64::to_radians(degrees) - 0.7 + turn * TAU;
-                    let jet = cam.jet(breaks.locate(phi, 1.0), phi);
+                    let jet = cam.jet(breaks.segment_at(phi, 1.0), phi);
                     approx::assert_abs_diff_eq!(jet.value, value, epsilon = 1e-15);
                 }
             }

@@ -118,7 +118,7 @@ impl FourBar {
         };
         // Rocker first, seen from its pivot towards the crank's end: the dyad
         // looks the other way, from the crank's end, so that left is right.
-        let swing = closure.pin(-self.branch).angle();
+        let swing = closure.vector_to_inner_pin(-self.branch).angle();
         self.direction(theta, sin, sin_square, swing).jet()
     }
 

@@ -95,7 +95,7 @@ impl ChebyshevInterpolation {
         let pieces = pieces(&mut inside, &edges)?;
         if let (true, [only]) = (points.is_empty(), pieces.as_slice()) {
             let ends = (&only[only.len() - 1], &only[0]);
-            joined(ends, gain, &greatest(only)).map_err(|_| rough(0.0))?;
+            joint_to_next_panel(ends, gain, &greatest(only)).map_err(|_| rough(0.0))?;
         }
         let period_of_breaks = (!points.is_empty()).then_some(period);
         Ok(Self {
@@ -203,11 +203,11 @@ fn piece(
     let mut panels = Vec::new();
     for index in 0..BEGIN {
         let ends = (edge(index), edge(index + 1));
-        halve(function, nodes, ends, (&mut scale, HALVINGS), &mut panels)?;
+        fit_or_halve(function, nodes, ends, (&mut scale, HALVINGS), &mut panels)?;
     }
     let greatest = greatest(&panels);
     for neighbours in panels.windows(2) {
-        joined((&neighbours[0], &neighbours[1]), 0.0, &greatest)?;
+        joint_to_next_panel((&neighbours[0], &neighbours[1]), 0.0, &greatest)?;
     }
     Ok(panels)
 }
@@ -223,7 +223,11 @@ fn greatest(panels: &[Panel]) -> [f64; 3] {
 }
 
 /// Holds a panel against the next one, of which U is `gain` greater.
-fn joined((left, right): (&Panel, &Panel), gain: f64, greatest: &[f64; 3]) -> Result<(), Fault> {
+fn joint_to_next_panel(
+    (left, right): (&Panel, &Panel),
+    gain: f64,
+    greatest: &[f64; 3],
+) -> Result<(), Fault> {
     for order in 0..JOINED.len() {
         let gain = if order == 0 { gain } else { 0.0 };
         let jump = left.at(order, 1.0) - right.at(order, -1.0) - gain;
@@ -245,7 +249,7 @@ fn rough(phi: f64) -> Fault {
 }
 
 /// Fits a panel, or its halves where that is not rounding.
-fn halve(
+fn fit_or_halve(
     function: &mut dyn FnMut(f64) -> f64,
     nodes: &Nodes<TERMS>,
     (from, to): (f64, f64),
@@ -265,7 +269,7 @@ fn halve(
     *scale = values
         .iter()
         .fold(*scale, |most, value| most.max(value.abs()));
-    let series = nodes.fit(&values);
+    let series = nodes.polynomial_through(&values);
     let bound = ROUNDING * *scale;
     let settled = series[TERMS - 3..].iter().all(|term| term.abs() <= bound);
     // Written so that a value that is not finite fails.
@@ -279,8 +283,8 @@ fn halve(
     if left == 0 {
         return Err(rough(middle));
     }
-    halve(function, nodes, (from, middle), (scale, left - 1), panels)?;
-    halve(function, nodes, (middle, to), (scale, left - 1), panels)
+    fit_or_halve(function, nodes, (from, middle), (scale, left - 1), panels)?;
+    fit_or_halve(function, nodes, (middle, to), (scale, left - 1), panels)
 }
 
 fn panel(middle: f64, half: f64, series: [f64; TERMS]) -> Panel {
@@ -364,14 +368,14 @@ mod tests {
             ChebyshevInterpolation::periodic("v", |phi| phi.sin().abs(), TAU, &corners).unwrap();
         let breaks = found.breaks();
         for phi in [-7.0, -0.1, 0.1, 3.0, 3.2, 40.0] {
-            let segment = breaks.locate(phi, 1.0);
+            let segment = breaks.segment_at(phi, 1.0);
             let jet = found.jet(segment, phi);
             assert!((jet.value - phi.sin().abs()).abs() < 1e-13, "{phi}");
             let slope = phi.cos() * phi.sin().signum();
             assert!((jet.first - slope).abs() < 1e-10, "{phi}");
         }
         // Just beyond a corner the formula of the segment goes on.
-        let segment = breaks.locate(-1e-3, 1.0);
+        let segment = breaks.segment_at(-1e-3, 1.0);
         assert!((found.jet(segment, 1e-6).value + 1e-6).abs() < 1e-12);
         let wrong = ChebyshevInterpolation::periodic("v", |phi| phi.sin().abs(), TAU, &[0.0]);
         assert!(

@@ -220,7 +220,7 @@ impl Position {
                 let turn = linkage.jet(TAU).value - linkage.jet(0.0).value;
                 turn.is_finite().then(|| (TAU, TAU * (turn / TAU).round()))
             }
-            Self::SlottedLink(linkage) => linkage.advance().map(|advance| (TAU, advance)),
+            Self::SlottedLink(linkage) => linkage.gain_in_turn().map(|advance| (TAU, advance)),
             Self::Plan(plan) => {
                 let spec = plan.spec();
                 spec.period.map(|period| (period, spec.advance))

@@ -55,12 +55,12 @@ fn crank_end(length: f64, phase: f64) -> [f64; 2] {
 fn link(name: &str, points: &[(&str, [f64; 2])]) -> LinkSpec {
     LinkSpec {
         name: name.to_owned(),
-        points: named(points),
+        points: named_points(points),
         ..LinkSpec::default()
     }
 }
 
-fn named(points: &[(&str, [f64; 2])]) -> Vec<NamedPoint> {
+fn named_points(points: &[(&str, [f64; 2])]) -> Vec<NamedPoint> {
     let one = |(name, at): &(&str, [f64; 2])| NamedPoint {
         name: (*name).to_owned(),
         at: *at,
@@ -73,11 +73,11 @@ fn of(link: usize, at: [f64; 2]) -> PointOf {
     PointOf { link, at }
 }
 
-fn ground(at: [f64; 2]) -> PointOf {
+fn ground_point(at: [f64; 2]) -> PointOf {
     PointOf { link: None, at }
 }
 
-fn pin(name: &str, on: PointOf, link: PointOf) -> PairSpec {
+fn pin_between(name: &str, on: PointOf, link: PointOf) -> PairSpec {
     pair(name, on, link, PairKind::PIN)
 }
 
@@ -123,12 +123,12 @@ fn slider_crank(short: &SliderCrank, phi: f64) -> LinkageSpec {
             link("rod", &[("B", [short.rod, 0.0])]),
             link("slide", &[]),
         ],
-        ground: named(&[("G", g), ("O", o)]),
+        ground: named_points(&[("G", g), ("O", o)]),
         pairs: vec![
-            pin("A", of(0, end), of(1, ORIGIN)),
-            pin("B", of(1, [short.rod, 0.0]), of(2, ORIGIN)),
-            pin("O", ground(o), of(0, ORIGIN)),
-            guide("guide", ground(g), of(2, ORIGIN)),
+            pin_between("A", of(0, end), of(1, ORIGIN)),
+            pin_between("B", of(1, [short.rod, 0.0]), of(2, ORIGIN)),
+            pin_between("O", ground_point(o), of(0, ORIGIN)),
+            guide("guide", ground_point(g), of(2, ORIGIN)),
         ],
         driver: 2,
         assembly: branch(2, short.branch),
@@ -153,12 +153,12 @@ fn four_bar(short: &FourBar, phi: f64) -> LinkageSpec {
             link("crank", &[("A", end)]),
             link("rocker", &[("B", [short.rocker, 0.0])]),
         ],
-        ground: named(&[("C", c), ("O", o)]),
+        ground: named_points(&[("C", c), ("O", o)]),
         pairs: vec![
-            pin("A", of(1, end), of(0, ORIGIN)),
-            pin("B", of(0, [short.coupler, 0.0]), of(2, [short.rocker, 0.0])),
-            pin("C", ground(c), of(2, ORIGIN)),
-            pin("O", ground(o), of(1, ORIGIN)),
+            pin_between("A", of(1, end), of(0, ORIGIN)),
+            pin_between("B", of(0, [short.coupler, 0.0]), of(2, [short.rocker, 0.0])),
+            pin_between("C", ground_point(c), of(2, ORIGIN)),
+            pin_between("O", ground_point(o), of(1, ORIGIN)),
         ],
         driver: 3,
         assembly: branch(2, short.branch),
@@ -187,11 +187,11 @@ fn slotted_link(short: &SlottedLink, phi: f64) -> LinkageSpec {
             link("crank", &[("A", end)]),
             link("slot", &[]),
         ],
-        ground: named(&[("O1", o1), ("O2", o2)]),
+        ground: named_points(&[("O1", o1), ("O2", o2)]),
         pairs: vec![
-            pin("A", of(1, end), of(0, ORIGIN)),
-            pin("O1", ground(o1), of(1, ORIGIN)),
-            pin("O2", ground(o2), of(2, ORIGIN)),
+            pin_between("A", of(1, end), of(0, ORIGIN)),
+            pin_between("O1", ground_point(o1), of(1, ORIGIN)),
+            pin_between("O2", ground_point(o2), of(2, ORIGIN)),
             guide("slide", of(2, [along, 0.0]), of(0, ORIGIN)),
         ],
         driver: if by_crank { 1 } else { 3 },

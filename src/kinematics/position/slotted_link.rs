@@ -96,7 +96,7 @@ impl SlottedLink {
 
     /// Gain of U in a turn of the crank; `None` where the crank does not drive or cannot
     /// turn fully.
-    pub fn advance(&self) -> Option<f64> {
+    pub fn gain_in_turn(&self) -> Option<f64> {
         let free = self.spec.driver == SlottedDriver::Crank && self.arcs.half_widths[0].is_none();
         let turns = self.spec.output == SlottedOutput::Link && self.spec.frame < self.spec.crank;
         free.then_some(if turns { TAU } else { 0.0 })
@@ -156,14 +156,14 @@ impl SlottedLink {
                 factors,
                 along: s.square().shift((d - l) * (d + l)),
             };
-            closure.pin(-self.spec.branch).angle()
+            closure.vector_to_inner_pin(-self.spec.branch).angle()
         } else {
             // Crank first, seen from O1 towards O2, against which φ1 counts.
             let closure = TwoCircles {
                 factors,
                 along: (-s.square()).shift(d * d + l * l),
             };
-            (-closure.pin(self.spec.branch)).angle()
+            (-closure.vector_to_inner_pin(self.spec.branch)).angle()
         }
     }
 

@@ -41,8 +41,8 @@ fn crank_and_slot_meet_in_the_block() {
 fn a_long_crank_takes_the_link_round_and_a_short_one_swings_it() {
     let round = by_crank(0.3, 0.1, SlottedOutput::Link);
     let swing = by_crank(0.1, 0.3, SlottedOutput::Link);
-    assert_eq!(round.advance(), Some(TAU));
-    assert_eq!(swing.advance(), Some(0.0));
+    assert_eq!(round.gain_in_turn(), Some(TAU));
+    assert_eq!(swing.gain_in_turn(), Some(0.0));
     for phi in [-5.0, -1.0, 0.3, 2.0, 4.4] {
         let gained = round.jet(phi + TAU).value - round.jet(phi).value;
         approx::assert_abs_diff_eq!(gained, TAU, epsilon = 1e-14);
@@ -61,7 +61,7 @@ fn equal_lengths_turn_the_link_half_as_fast_and_end_on_its_pivot() {
         approx::assert_abs_diff_eq!(jet.value, 0.5 * phi, epsilon = 1e-12);
         approx::assert_abs_diff_eq!(jet.first, 0.5, epsilon = 1e-7);
     }
-    assert_eq!(half.advance(), None);
+    assert_eq!(half.gain_in_turn(), None);
     assert_eq!(half.reach_from(1.0), Ok(Some((-PI, PI))));
     assert!(half.reach_from(PI).is_err());
     assert_eq!(

@@ -121,7 +121,7 @@ mod tests {
         let breaks = table.breaks();
         assert_eq!(breaks.points, [0.0, 1.0, 2.0]);
         for (phi, value, slope) in [(-1.0, -0.5, 0.5), (3.0, -0.5, -2.0)] {
-            let jet = table.jet(breaks.locate(phi, 1.0), phi);
+            let jet = table.jet(breaks.segment_at(phi, 1.0), phi);
             approx::assert_abs_diff_eq!(jet.value, value, epsilon = 1e-13);
             approx::assert_abs_diff_eq!(jet.first, slope, epsilon = 1e-13);
             assert_eq!((jet.second, jet.third), (0.0, 0.0));

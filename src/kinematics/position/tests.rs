@@ -131,7 +131,7 @@ fn specs() -> impl Strategy<Value = PositionSpec> {
 
 /// Each derivative against the five-point difference of the one before.
 fn agrees_with_differences(position: &Position, phi: f64) -> Result<(), TestCaseError> {
-    let segment = position.breaks().locate(phi, 1.0);
+    let segment = position.breaks().segment_at(phi, 1.0);
     let h = 1e-4;
     let jets = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| position.jet(segment, phi + k * h));
     let middle = jets[2];
@@ -178,7 +178,7 @@ proptest! {
     #[test]
     fn derivatives_agree_with_differences(spec in specs(), phi in -10.0f64..10.0) {
         let Ok(position) = Position::new(&spec) else { return Ok(()) };
-        let steep = position.jet(position.breaks().locate(phi, 1.0), phi).third.abs() > 1e5;
+        let steep = position.jet(position.breaks().segment_at(phi, 1.0), phi).third.abs() > 1e5;
         if well_placed(&position, &spec, phi) && !steep {
             agrees_with_differences(&position, phi)?;
         }

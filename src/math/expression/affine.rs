@@ -45,7 +45,7 @@ pub(super) fn of(builder: &Builder, root: Register, variables: &[usize]) -> Opti
     let mut into = Builder::default();
     let mut parts: Vec<Parts> = Vec::new();
     for op in code.ops() {
-        let part = part(op, &parts, variables, &mut into)?;
+        let part = affine_part(op, &parts, variables, &mut into)?;
         parts.push(part);
     }
     let last = parts.last()?;
@@ -69,14 +69,14 @@ pub(super) fn along_a_line(program: &Program, lines: &[Option<[f64; 2]>]) -> Opt
                     _ => into.affine(x, slope, shift),
                 }
             }
-            _ => again(op, |register| places[usize::from(register)], &mut into),
+            _ => rebuild_operation(op, |register| places[usize::from(register)], &mut into),
         };
         places.push(place);
     }
     Some(into.finish(*places.last()?))
 }
 
-fn part(op: &Op, parts: &[Parts], variables: &[usize], into: &mut Builder) -> Option<Parts> {
+fn affine_part(op: &Op, parts: &[Parts], variables: &[usize], into: &mut Builder) -> Option<Parts> {
     let at = |register: Register| parts[usize::from(register)];
     let rest = |rest: Register| Parts {
         factors: [0.0; MOST],
@@ -99,7 +99,11 @@ fn part(op: &Op, parts: &[Parts], variables: &[usize], into: &mut Builder) -> Op
         rest: into.add(a.rest, b.rest),
     };
     if op.operands().all(|operand| at(operand).is_rest()) {
-        return Some(rest(again(op, |register| at(register).rest, into)));
+        return Some(rest(rebuild_operation(
+            op,
+            |register| at(register).rest,
+            into,
+        )));
     }
     Some(match *op {
         Op::Affine { x, factor, shift } => {
@@ -134,7 +138,7 @@ fn part(op: &Op, parts: &[Parts], variables: &[usize], into: &mut Builder) -> Op
 }
 
 /// An operation anew, on other results.
-fn again(op: &Op, at: impl Fn(Register) -> Register, into: &mut Builder) -> Register {
+fn rebuild_operation(op: &Op, at: impl Fn(Register) -> Register, into: &mut Builder) -> Register {
     match *op {
         Op::Number(value) => into.number(value),
         Op::Variable(index) => into.variable(usize::from(index)),
@@ -154,7 +158,7 @@ fn again(op: &Op, at: impl Fn(Register) -> Register, into: &mut Builder) -> Regi
         Op::Less { a, b, or_equal, .. } => into.less(at(a), at(b), or_equal),
         Op::Select { condition, a, b } => into.select(at(condition), at(a), at(b)),
         Op::Power(..) | Op::PowerOf(..) | Op::Equal(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => {
-            into.plain(op.renumbered(at))
+            into.operation_on_operands(op.renumbered(at))
         }
     }
 }

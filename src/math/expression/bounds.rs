@@ -39,7 +39,7 @@ impl Reach {
     }
 
     /// A comparison that may come out so.
-    fn truth(may_hold: bool, may_fail: bool, partial: bool) -> Self {
+    fn comparison_result(may_hold: bool, may_fail: bool, partial: bool) -> Self {
         let bounds = match (may_hold, may_fail) {
             (true, true) => Interval {
                 low: 0.0,
@@ -61,7 +61,7 @@ impl Reach {
     }
 
     /// Either of two.
-    fn or(self, other: Self) -> Self {
+    fn either_bound(self, other: Self) -> Self {
         let bounds = match (self.bounds.is_nothing(), other.bounds.is_nothing()) {
             (true, _) => other.bounds,
             (_, true) => self.bounds,
@@ -80,7 +80,7 @@ impl Code {
     pub(crate) fn may_hold(&self, values: &[Interval]) -> bool {
         let mut results: Vec<Reach> = Vec::with_capacity(self.0.len());
         for op in &self.0 {
-            let next = reach(op, values, &results);
+            let next = range_of_result(op, values, &results);
             results.push(next);
         }
         results.last().is_some_and(|last| last.may_hold())
@@ -88,7 +88,7 @@ impl Code {
 }
 
 /// What the result of an operation may be.
-fn reach(op: &Op, values: &[Interval], results: &[Reach]) -> Reach {
+fn range_of_result(op: &Op, values: &[Interval], results: &[Reach]) -> Reach {
     let at = |register: Register| results[usize::from(register)];
     match *op {
         Op::Number(value) => Reach::of(Interval::of(value)),
@@ -112,19 +112,19 @@ fn reach(op: &Op, values: &[Interval], results: &[Reach]) -> Reach {
             let meet = one.low <= two.high && two.low <= one.high;
             let fixed = one.low == one.high && two.low == two.high;
             let differ = !(one.is_nothing() || two.is_nothing() || fixed && meet);
-            Reach::truth(meet, differ, a.partial || b.partial)
+            Reach::comparison_result(meet, differ, a.partial || b.partial)
         }
         Op::And(a, b) => {
             let (a, b) = (at(a), at(b));
             let holds = a.may_hold() && b.may_hold();
-            Reach::truth(holds, a.may_fail() || b.may_fail(), a.partial || b.partial)
+            Reach::comparison_result(holds, a.may_fail() || b.may_fail(), a.partial || b.partial)
         }
         Op::Or(a, b) => {
             let (a, b) = (at(a), at(b));
             let fails = a.may_fail() && b.may_fail();
-            Reach::truth(a.may_hold() || b.may_hold(), fails, a.partial || b.partial)
+            Reach::comparison_result(a.may_hold() || b.may_hold(), fails, a.partial || b.partial)
         }
-        Op::Not(x) => Reach::truth(at(x).may_fail(), at(x).may_hold(), at(x).partial),
+        Op::Not(x) => Reach::comparison_result(at(x).may_fail(), at(x).may_hold(), at(x).partial),
         Op::Select { condition, a, b } => select(at(condition), at(a), at(b)),
         _ => piecewise(op, at),
     }
@@ -140,8 +140,8 @@ fn piecewise(op: &Op, at: impl Fn(Register) -> Reach) -> Reach {
             x => x.signum(),
         }),
         Op::Whole { x, to, .. } => monotone(at(x), |x| Rounding::of(to, x)),
-        Op::Min { a, b, .. } => chosen(at(a), at(b), f64::min),
-        Op::Max { a, b, .. } => chosen(at(a), at(b), f64::max),
+        Op::Min { a, b, .. } => least_or_greatest(at(a), at(b), f64::min),
+        Op::Max { a, b, .. } => least_or_greatest(at(a), at(b), f64::max),
         Op::Remainder { x, y, .. } => remainder(at(x), at(y)),
         Op::Atan2 { y, x, .. } => {
             let still = |bounds: Interval| RateBounds {
@@ -238,12 +238,12 @@ fn less(a: Reach, b: Reach, or_equal: bool) -> Reach {
         true => (one.low <= two.high, one.high > two.low),
         false => (one.low < two.high, one.high >= two.low),
     };
-    Reach::truth(holds, fails, a.partial || b.partial)
+    Reach::comparison_result(holds, fails, a.partial || b.partial)
 }
 
 fn select(condition: Reach, a: Reach, b: Reach) -> Reach {
     let found = match (condition.may_hold(), condition.may_fail()) {
-        (true, true) => a.or(b),
+        (true, true) => a.either_bound(b),
         (true, false) => a,
         (false, true) => b,
         (false, false) => Reach::of(NOTHING),
@@ -282,9 +282,9 @@ fn monotone(x: Reach, f: impl Fn(f64) -> f64) -> Reach {
 }
 
 /// The smaller or the greater of two; the other where one is no number.
-fn chosen(a: Reach, b: Reach, choose: impl Fn(f64, f64) -> f64) -> Reach {
+fn least_or_greatest(a: Reach, b: Reach, choose: impl Fn(f64, f64) -> f64) -> Reach {
     if a.partial || b.partial {
-        return a.or(b);
+        return a.either_bound(b);
     }
     let bounds = Interval {
         low: choose(a.bounds.low, b.bounds.low),

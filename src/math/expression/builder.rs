@@ -62,7 +62,7 @@ impl Builder {
     }
 
     /// True of what changes by jumps alone.
-    pub(super) fn steps(&self, x: Register) -> bool {
+    pub(super) fn changes_by_jumps(&self, x: Register) -> bool {
         self.steps[usize::from(x)]
     }
 
@@ -75,7 +75,7 @@ impl Builder {
     }
 
     /// An operation, worked out where all that it takes is numbers.
-    fn folded(&mut self, op: Op) -> Register {
+    fn operation_or_constant(&mut self, op: Op) -> Register {
         let known: Option<Vec<f64>> = op
             .operands()
             .map(|operand| self.constant_of(operand))
@@ -109,14 +109,14 @@ impl Builder {
                 return self.affine(inner, f, s);
             }
         }
-        self.folded(Op::Affine { x, factor, shift })
+        self.operation_or_constant(Op::Affine { x, factor, shift })
     }
 
     pub(super) fn add(&mut self, a: Register, b: Register) -> Register {
         match (self.constant_of(a), self.constant_of(b)) {
             (None, Some(b)) => self.affine(a, 1.0, b),
             (Some(a), None) => self.affine(b, 1.0, a),
-            _ => self.folded(Op::Add(a, b)),
+            _ => self.operation_or_constant(Op::Add(a, b)),
         }
     }
 
@@ -124,7 +124,7 @@ impl Builder {
         match (self.constant_of(a), self.constant_of(b)) {
             (None, Some(b)) => self.affine(a, 1.0, -b),
             (Some(a), None) => self.affine(b, -1.0, a),
-            _ => self.folded(Op::Sub(a, b)),
+            _ => self.operation_or_constant(Op::Sub(a, b)),
         }
     }
 
@@ -132,24 +132,24 @@ impl Builder {
         match (self.constant_of(a), self.constant_of(b)) {
             (None, Some(b)) => self.affine(a, b, 0.0),
             (Some(a), None) => self.affine(b, a, 0.0),
-            _ => self.folded(Op::Mul(a, b)),
+            _ => self.operation_or_constant(Op::Mul(a, b)),
         }
     }
 
     pub(super) fn div(&mut self, a: Register, b: Register) -> Register {
-        self.folded(Op::Div(a, b))
+        self.operation_or_constant(Op::Div(a, b))
     }
 
     pub(super) fn of(&mut self, function: Function, x: Register) -> Register {
-        self.folded(Op::Of(function, x))
+        self.operation_or_constant(Op::Of(function, x))
     }
 
     pub(super) fn power(&mut self, x: Register, y: Register) -> Register {
         let Some(exponent) = self.constant_of(y) else {
-            return self.folded(Op::PowerOf(x, y));
+            return self.operation_or_constant(Op::PowerOf(x, y));
         };
         if self.constant_of(x).is_some() {
-            return self.folded(Op::PowerOf(x, y));
+            return self.operation_or_constant(Op::PowerOf(x, y));
         }
         let whole = exponent.fract() == 0.0 && exponent.abs() <= f64::from(PRODUCTS);
         match exponent {
@@ -163,7 +163,7 @@ impl Builder {
                 let one = self.number(1.0);
                 self.div(one, product)
             }
-            _ => self.folded(Op::Power(x, exponent)),
+            _ => self.operation_or_constant(Op::Power(x, exponent)),
         }
     }
 
@@ -181,8 +181,8 @@ impl Builder {
     }
 
     /// The guard that a function is; none where it changes by jumps alone.
-    fn guard(&mut self, x: Register, kind: GuardKind) -> u16 {
-        if self.steps(x) {
+    fn guard_of_function(&mut self, x: Register, kind: GuardKind) -> u16 {
+        if self.changes_by_jumps(x) {
             return UNGUARDED;
         }
         let known = self.guards.iter().position(|known| *known == (x, kind));
@@ -195,28 +195,28 @@ impl Builder {
     /// The guard of which of two is greater.
     fn order(&mut self, a: Register, b: Register, at_rest: i64) -> u16 {
         let difference = self.sub(b, a);
-        self.guard(difference, GuardKind::Sign { at_rest })
+        self.guard_of_function(difference, GuardKind::Sign { at_rest })
     }
 
     pub(super) fn atan2(&mut self, y: Register, x: Register) -> Register {
-        let guard = self.guard(y, SIGN);
-        self.folded(Op::Atan2 { y, x, guard })
+        let guard = self.guard_of_function(y, SIGN);
+        self.operation_or_constant(Op::Atan2 { y, x, guard })
     }
 
     pub(super) fn remainder(&mut self, x: Register, y: Register) -> Register {
         let quotient = self.div(x, y);
-        let guard = self.guard(quotient, GuardKind::Whole);
-        self.folded(Op::Remainder { x, y, guard })
+        let guard = self.guard_of_function(quotient, GuardKind::Whole);
+        self.operation_or_constant(Op::Remainder { x, y, guard })
     }
 
     pub(super) fn abs(&mut self, x: Register) -> Register {
-        let guard = self.guard(x, SIGN);
-        self.folded(Op::Abs { x, guard })
+        let guard = self.guard_of_function(x, SIGN);
+        self.operation_or_constant(Op::Abs { x, guard })
     }
 
     pub(super) fn sign(&mut self, x: Register) -> Register {
-        let guard = self.guard(x, SIGN);
-        self.folded(Op::Sign { x, guard })
+        let guard = self.guard_of_function(x, SIGN);
+        self.operation_or_constant(Op::Sign { x, guard })
     }
 
     pub(super) fn round_to_integer(&mut self, x: Register, to: Rounding) -> Register {
@@ -224,24 +224,24 @@ impl Builder {
             Rounding::Round => self.affine(x, 1.0, 0.5),
             _ => x,
         };
-        let guard = self.guard(guarded, GuardKind::Whole);
-        self.folded(Op::Whole { x, to, guard })
+        let guard = self.guard_of_function(guarded, GuardKind::Whole);
+        self.operation_or_constant(Op::Whole { x, to, guard })
     }
 
     pub(super) fn min(&mut self, a: Register, b: Register) -> Register {
         let guard = self.order(a, b, 1);
-        self.folded(Op::Min { a, b, guard })
+        self.operation_or_constant(Op::Min { a, b, guard })
     }
 
     pub(super) fn max(&mut self, a: Register, b: Register) -> Register {
         let guard = self.order(a, b, 1);
-        self.folded(Op::Max { a, b, guard })
+        self.operation_or_constant(Op::Max { a, b, guard })
     }
 
     pub(super) fn less(&mut self, a: Register, b: Register, or_equal: bool) -> Register {
         // (`a < b` is not true where they stay equal.)
         let guard = self.order(a, b, if or_equal { 1 } else { -1 });
-        self.folded(Op::Less {
+        self.operation_or_constant(Op::Less {
             a,
             b,
             or_equal,
@@ -250,8 +250,8 @@ impl Builder {
     }
 
     /// An operation that looks at its operands alone.
-    pub(super) fn plain(&mut self, op: Op) -> Register {
-        self.folded(op)
+    pub(super) fn operation_on_operands(&mut self, op: Op) -> Register {
+        self.operation_or_constant(op)
     }
 
     pub(super) fn select(&mut self, condition: Register, a: Register, b: Register) -> Register {
@@ -272,7 +272,7 @@ impl Builder {
         let mut numbers: Vec<Option<u16>> = vec![None; self.guards.len()];
         let mut wanted: Vec<u16> = Vec::new();
         let note = |code: &Code, numbers: &mut Vec<Option<u16>>, wanted: &mut Vec<u16>| {
-            for guard in code.0.iter().filter_map(Op::guard) {
+            for guard in code.0.iter().filter_map(Op::guard_index) {
                 let number = &mut numbers[usize::from(guard)];
                 if number.is_none() {
                     *number = Some(wanted.len() as u16);

@@ -114,7 +114,7 @@ impl Guard {
                 shift: std::cell::Cell::new(-floor),
             };
             let end = first.map_or(end, |first| first.s);
-            if let Some(s) = search.first(end, fresh && floor == 0.0) {
+            if let Some(s) = search.first_change(end, fresh && floor == 0.0) {
                 first = Some(Crossing {
                     s,
                     target: side.target,
@@ -131,7 +131,7 @@ const JUMPS: f64 = 1e-9;
 /// Changes the mode of a guard, and puts those that jump with it or come to stand still,
 /// and those that had no value, into the modes in which they go on. `at`: value and rate
 /// of a guard in given modes. Returns those of the guard before and behind the change.
-pub(crate) fn follow(
+pub(crate) fn change_mode(
     guards: &[Guard],
     changed: usize,
     target: i64,
@@ -187,7 +187,7 @@ impl<M: Fn(u16) -> i64, S: Stretch> Search<'_, M, S> {
         [value - shift, rate]
     }
 
-    fn first(&self, end: f64, fresh: bool) -> Option<f64> {
+    fn first_change(&self, end: f64, fresh: bool) -> Option<f64> {
         let start = self.value(0.0);
         let [value, _] = self.over(0.0, end);
         if value.low > 0.0 {
@@ -223,7 +223,7 @@ impl<M: Fn(u16) -> i64, S: Stretch> Search<'_, M, S> {
             let middle = from + 0.5 * (to - from);
             // The mean value theorem: closer than the expression itself where it is short.
             let reach = Interval::between(-0.5 * (to - from), 0.5 * (to - from));
-            let tight = value.meet(Interval::of(self.value(middle)) + rate * reach);
+            let tight = value.intersection(Interval::of(self.value(middle)) + rate * reach);
             if tight.low > 0.0 || value.low >= 0.0 {
                 continue;
             }
@@ -278,7 +278,7 @@ mod tests {
         }
     }
 
-    fn first(text: &str, mode: i64) -> Option<Crossing> {
+    fn first_change(text: &str, mode: i64) -> Option<Crossing> {
         let expression = Expression::new(text, &["t", "x"]).unwrap();
         let program = expression.program();
         assert_eq!(program.guards.len(), 1, "{text}");
@@ -304,7 +304,7 @@ mod tests {
             ("abs(2 + sin(7*x)*t)", 1, None),
             ("abs(sqrt(x - 9))", 1, None),
         ] {
-            let found = first(text, mode);
+            let found = first_change(text, mode);
             match wanted {
                 None => assert_eq!(found, None, "{text}"),
                 Some(place) => {
@@ -318,7 +318,7 @@ mod tests {
     #[test]
     fn two_crossings_close_together_are_not_stepped_over() {
         // Down through zero and up again within a hundred thousandth of the stretch.
-        let found = first("abs((t - 0.7)^2 - 2.5e-11)", 1).unwrap();
+        let found = first_change("abs((t - 0.7)^2 - 2.5e-11)", 1).unwrap();
         approx::assert_abs_diff_eq!(found.s, 0.7 - 5e-6, epsilon = 1e-9);
     }
 }

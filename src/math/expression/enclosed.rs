@@ -210,7 +210,7 @@ impl<const N: usize> Scalar for TaylorBounds<N> {
         Self::constant(Interval::of(value))
     }
 
-    fn central(self) -> f64 {
+    fn compared_value(self) -> f64 {
         self.0[0].middle()
     }
 

@@ -18,7 +18,7 @@ pub(crate) trait Scalar:
     fn number(value: f64) -> Self;
 
     /// Its value, by which it is compared.
-    fn central(self) -> f64;
+    fn compared_value(self) -> f64;
 
     /// factor·x + shift.
     fn affine(self, factor: f64, shift: f64) -> Self;
@@ -49,7 +49,7 @@ impl Scalar for f64 {
     }
 
     #[inline(always)]
-    fn central(self) -> f64 {
+    fn compared_value(self) -> f64 {
         self
     }
 
@@ -88,7 +88,7 @@ macro_rules! by_chain_rule {
         }
 
         #[inline(always)]
-        fn central(self) -> f64 {
+        fn compared_value(self) -> f64 {
             self.value()
         }
 
@@ -222,10 +222,10 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
             // Beyond the cut along −x the direction goes on as it came.
             match mode_of(guard, modes) {
                 OPEN => found,
-                mode if x.central() < 0.0 && mode > 0 && y.central() < 0.0 => {
+                mode if x.compared_value() < 0.0 && mode > 0 && y.compared_value() < 0.0 => {
                     found.affine(1.0, std::f64::consts::TAU)
                 }
-                mode if x.central() < 0.0 && mode < 0 && y.central() >= 0.0 => {
+                mode if x.compared_value() < 0.0 && mode < 0 && y.compared_value() >= 0.0 => {
                     found.affine(1.0, -std::f64::consts::TAU)
                 }
                 _ => found,
@@ -235,9 +235,12 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
             let (x, y) = (at(x), at(y));
             match mode_of(guard, modes) {
                 OPEN => {
-                    let whole = (x.central() / y.central()).trunc();
+                    let whole = (x.compared_value() / y.compared_value()).trunc();
                     let rest = x - y.affine(whole, 0.0);
-                    rest.affine(1.0, x.central() % y.central() - rest.central())
+                    rest.affine(
+                        1.0,
+                        x.compared_value() % y.compared_value() - rest.compared_value(),
+                    )
                 }
                 mode => x - y.affine(truncated(mode), 0.0),
             }
@@ -247,21 +250,29 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
             false => at(x),
         },
         Op::Sign { x, guard } => match mode_of(guard, modes) {
-            OPEN => N::number(at(x).central().signum()),
+            OPEN => N::number(at(x).compared_value().signum()),
             mode => N::number(mode as f64),
         },
         Op::Whole { x, to, guard } => N::number(match mode_of(guard, modes) {
-            OPEN => to.of(at(x).central()),
-            mode => to.between(mode),
+            OPEN => to.of(at(x).compared_value()),
+            mode => to.guard_between(mode),
         }),
         Op::Min { a, b, guard } => match mode_of(guard, modes) {
-            OPEN if at(b).central() < at(a).central() || at(a).central().is_nan() => at(b),
+            OPEN if at(b).compared_value() < at(a).compared_value()
+                || at(a).compared_value().is_nan() =>
+            {
+                at(b)
+            }
             OPEN => at(a),
             mode if mode > 0 => at(a),
             _ => at(b),
         },
         Op::Max { a, b, guard } => match mode_of(guard, modes) {
-            OPEN if at(b).central() > at(a).central() || at(a).central().is_nan() => at(b),
+            OPEN if at(b).compared_value() > at(a).compared_value()
+                || at(a).compared_value().is_nan() =>
+            {
+                at(b)
+            }
             OPEN => at(a),
             mode if mode > 0 => at(b),
             _ => at(a),
@@ -273,7 +284,7 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
             guard,
         } => match mode_of(guard, modes) {
             OPEN => {
-                let (a, b) = (at(a).central(), at(b).central());
+                let (a, b) = (at(a).compared_value(), at(b).compared_value());
                 match a.partial_cmp(&b) {
                     None => N::number(f64::NAN),
                     Some(order) => flag(order.is_lt() || or_equal && order.is_eq()),
@@ -282,19 +293,19 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
             mode => flag(mode > 0),
         },
         Op::Equal(a, b) => {
-            let (a, b) = (at(a).central(), at(b).central());
+            let (a, b) = (at(a).compared_value(), at(b).compared_value());
             match a.partial_cmp(&b) {
                 None => N::number(f64::NAN),
                 Some(order) => flag(order.is_eq()),
             }
         }
-        Op::And(a, b) => logic(at(a).central(), at(b).central(), false),
-        Op::Or(a, b) => logic(at(a).central(), at(b).central(), true),
-        Op::Not(x) => match at(x).central() {
+        Op::And(a, b) => logic(at(a).compared_value(), at(b).compared_value(), false),
+        Op::Or(a, b) => logic(at(a).compared_value(), at(b).compared_value(), true),
+        Op::Not(x) => match at(x).compared_value() {
             x if x.is_nan() => N::number(f64::NAN),
             x => flag(x == 0.0),
         },
-        Op::Select { condition, a, b } => match at(condition).central() {
+        Op::Select { condition, a, b } => match at(condition).compared_value() {
             c if c.is_nan() => N::number(f64::NAN),
             0.0 => at(b),
             _ => at(a),
@@ -306,7 +317,7 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
 
 fn is_negative<N: Scalar>(x: N, guard: u16, modes: &impl Fn(u16) -> i64) -> bool {
     match mode_of(guard, modes) {
-        OPEN => x.central() < 0.0,
+        OPEN => x.compared_value() < 0.0,
         mode => mode < 0,
     }
 }
@@ -341,7 +352,7 @@ impl Rounding {
     }
 
     /// Where the guard lies between n and n + 1.
-    fn between(self, n: i64) -> f64 {
+    fn guard_between(self, n: i64) -> f64 {
         match self {
             Self::Floor | Self::Round => n as f64,
             Self::Ceil => (n + 1) as f64,

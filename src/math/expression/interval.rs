@@ -85,7 +85,7 @@ impl Interval {
     }
 
     /// What lies in both.
-    pub(crate) fn meet(self, other: Self) -> Self {
+    pub(crate) fn intersection(self, other: Self) -> Self {
         if other.is_nothing() {
             return self;
         }
@@ -106,7 +106,7 @@ impl Interval {
     pub(super) fn square(self) -> Self {
         let (a, b) = (self.low * self.low, self.high * self.high);
         match self.holds(0.0) {
-            true => Self::between(0.0, a.max(b)).meet(upper_half()),
+            true => Self::between(0.0, a.max(b)).intersection(upper_half()),
             false => Self::between(a, b),
         }
     }
@@ -223,9 +223,13 @@ impl Interval {
             Function::Acosh => one / root(self.square() - one),
             Function::Atanh => one / (one - self.square()),
             Function::Exp => self.of_function(Function::Exp),
-            Function::Ln => one / self.meet(upper_half()),
-            Function::Log10 => (one / self.meet(upper_half())).scale(std::f64::consts::LOG10_E),
-            Function::Log2 => (one / self.meet(upper_half())).scale(std::f64::consts::LOG2_E),
+            Function::Ln => one / self.intersection(upper_half()),
+            Function::Log10 => {
+                (one / self.intersection(upper_half())).scale(std::f64::consts::LOG10_E)
+            }
+            Function::Log2 => {
+                (one / self.intersection(upper_half())).scale(std::f64::consts::LOG2_E)
+            }
             Function::Sqrt => Self::of(0.5) / root(self),
             Function::Cbrt => {
                 let root = self.of_function(Function::Cbrt);
@@ -253,7 +257,7 @@ impl Interval {
         match exponent % 2.0 == 0.0 {
             false => self.rising(Self::EVERYTHING, f),
             true if self.holds(0.0) => {
-                Self::between(0.0, f(self.low).max(f(self.high))).meet(upper_half())
+                Self::between(0.0, f(self.low).max(f(self.high))).intersection(upper_half())
             }
             true => Self::between(f(self.low), f(self.high)),
         }

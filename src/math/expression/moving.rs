@@ -83,7 +83,7 @@ impl Scalar for RateBounds {
         }
     }
 
-    fn central(self) -> f64 {
+    fn compared_value(self) -> f64 {
         self.value.middle()
     }
 

@@ -3,7 +3,7 @@
 //! A function of time alone is cut into its pieces beforehand, with the period at which they
 //! repeat. So motions of drives, and the loads of `exact`, know their breaks.
 
-use super::crossing::{Stretch, follow};
+use super::crossing::{Stretch, change_mode};
 use super::evaluate::Scalar;
 use super::function::Function;
 use super::interval::Interval;
@@ -77,7 +77,7 @@ impl Repetition {
 
     /// How the value of a program repeats while its variables do; `None`: it does not, or its
     /// operations do not prove that it does.
-    pub(crate) fn through(
+    pub(crate) fn repetition_of_program(
         program: &Program,
         variables: &dyn Fn(usize) -> Option<Self>,
     ) -> Option<Self> {
@@ -131,14 +131,14 @@ impl OfOne {
         };
         let (mut at, mut modes) = (from, located(program, from));
         found.modes[0].clone_from(&modes);
-        while let Some((place, guard, target)) = next(program, &modes, at, to) {
+        while let Some((place, guard, target)) = next_guard_change(program, &modes, at, to) {
             let place = rhythm.map_or(place, |period| snap_to_period(place, period));
             let value = |own: usize, modes: &[i64]| {
                 let x = Dual::new(place, 1.0);
                 let mode = |one: u16| modes[usize::from(one)];
                 program.guards[own].code.evaluate(&[x], &mode)
             };
-            follow(&program.guards, guard, target, &mut modes, value);
+            change_mode(&program.guards, guard, target, &mut modes, value);
             let last = found.points.last().copied();
             let same = last.is_some_and(|last| place - last <= ONE_PLACE * place.abs());
             match same {
@@ -233,7 +233,12 @@ fn located(program: &Program, place: f64) -> Vec<i64> {
 }
 
 /// The next change of a guard: its place, the guard and its mode behind.
-fn next(program: &Program, modes: &[i64], from: f64, to: f64) -> Option<(f64, usize, i64)> {
+fn next_guard_change(
+    program: &Program,
+    modes: &[i64],
+    from: f64,
+    to: f64,
+) -> Option<(f64, usize, i64)> {
     // Pieces of a long way, so that places keep their digits.
     let mut start = from;
     let mut length = (to - from).min(1.0 + from.abs());
@@ -296,7 +301,7 @@ fn common(guards: &[Guard]) -> Option<f64> {
             (GuardKind::Whole, period) if own.drift == 0.0 => period,
             _ => return None,
         };
-        all = join(all, period)?;
+        all = least_common_period(all, period)?;
     }
     all
 }
@@ -312,7 +317,7 @@ fn whole_after(x: f64) -> Option<f64> {
 
 /// The least period of both; `None`: there is none.
 #[allow(clippy::option_option)] // that there is none is not that any will do
-fn join(a: Option<f64>, b: Option<f64>) -> Option<Option<f64>> {
+fn least_common_period(a: Option<f64>, b: Option<f64>) -> Option<Option<f64>> {
     let (Some(p), Some(q)) = (a, b) else {
         return Some(a.or(b));
     };
@@ -337,7 +342,7 @@ fn rhythm(code: &Code, variables: &dyn Fn(usize) -> Option<Rhythm>) -> Option<Rh
         let at = |register: Register| all[usize::from(register)];
         let mut period = None;
         for operand in op.operands() {
-            period = join(period, at(operand).period)?;
+            period = least_common_period(period, at(operand).period)?;
         }
         let still = op.operands().all(|operand| at(operand).drift == 0.0);
         let plain = Rhythm { period, drift: 0.0 };
@@ -470,7 +475,7 @@ mod tests {
         };
         let of = |text: &str| {
             let expression = Expression::new(text, &["t", "x", "y"]).unwrap();
-            Repetition::through(expression.program(), &variables)
+            Repetition::repetition_of_program(expression.program(), &variables)
         };
         for (text, wanted) in [
             ("sin(t)", Some(2.0)),
@@ -496,7 +501,10 @@ mod tests {
         }
         let unknown = |index: usize| (index == 0).then_some(Line(1.0));
         let expression = Expression::new("sin(t) + x", &["t", "x"]).unwrap();
-        assert_eq!(Repetition::through(expression.program(), &unknown), None);
+        assert_eq!(
+            Repetition::repetition_of_program(expression.program(), &unknown),
+            None
+        );
     }
 
     #[test]

@@ -107,27 +107,30 @@ impl<const N: usize> SeriesProgram<N> {
         match *step {
             Step::Op(Op::Variable(own)) => variable(usize::from(own)),
             Step::Op(op) if k == 0 => {
-                let value = self.begin(&op, modes);
+                let value = self.value_of_operation(&op, modes);
                 self.begin_other(index, &op, value);
                 value
             }
-            Step::Op(op) => self.next(index, &op, k, modes),
+            Step::Op(op) => self.next_coefficient(index, &op, k, modes),
             Step::Along { function, x, .. } if k == 0 => function.value(self.row(x)[0]),
-            Step::Along { x, slope, .. } => along(self.row(x), self.row(slope), k),
-            Step::Direction { op, .. } if k == 0 => self.begin(&op, modes),
+            Step::Along { x, slope, .. } => integrated_coefficient(self.row(x), self.row(slope), k),
+            Step::Direction { op, .. } if k == 0 => self.value_of_operation(&op, modes),
             Step::Direction { op, by_y, by_x } => {
                 let Op::Atan2 { y, x, .. } = op else {
                     return f64::NAN;
                 };
-                along(self.row(y), self.row(by_y), k) + along(self.row(x), self.row(by_x), k)
+                integrated_coefficient(self.row(y), self.row(by_y), k)
+                    + integrated_coefficient(self.row(x), self.row(by_x), k)
             }
             Step::Exponential { x, y, .. } if k == 0 => self.row(x)[0].powf(self.row(y)[0]),
-            Step::Exponential { of, .. } => along(self.row(of), &self.rows[index], k),
+            Step::Exponential { of, .. } => {
+                integrated_coefficient(self.row(of), &self.rows[index], k)
+            }
         }
     }
 
     /// Value of an operation.
-    fn begin(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> f64 {
+    fn value_of_operation(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> f64 {
         let operands: [f64; 3] = {
             let mut all = [0.0; 3];
             for (value, register) in all.iter_mut().zip(op.operands()) {
@@ -155,7 +158,13 @@ impl<const N: usize> SeriesProgram<N> {
     }
 
     /// The next coefficient of an operation, k ≥ 1.
-    fn next(&mut self, index: usize, op: &Op, k: usize, modes: &impl Fn(u16) -> i64) -> f64 {
+    fn next_coefficient(
+        &mut self,
+        index: usize,
+        op: &Op,
+        k: usize,
+        modes: &impl Fn(u16) -> i64,
+    ) -> f64 {
         let at = |register: Register| self.row(register)[k];
         match *op {
             Op::Affine { x, factor, .. } => factor * at(x),
@@ -182,12 +191,13 @@ impl<const N: usize> SeriesProgram<N> {
             }
             Op::Abs { x, .. } => {
                 let x = self.row(x);
-                let turned = self.rows[index][0] != x[0] || x[0] == 0.0 && self.side(op, modes) < 0;
+                let turned =
+                    self.rows[index][0] != x[0] || x[0] == 0.0 && self.guard_mode(op, modes) < 0;
                 if turned { -x[k] } else { x[k] }
             }
             Op::Min { a, b, .. } | Op::Max { a, b, .. } => {
                 let less = matches!(op, Op::Min { .. });
-                let first = match self.side(op, modes) {
+                let first = match self.guard_mode(op, modes) {
                     0 => self.row(a)[0] == self.rows[index][0],
                     side => (side > 0) == less,
                 };
@@ -205,8 +215,8 @@ impl<const N: usize> SeriesProgram<N> {
     }
 
     /// Mode of the guard of an operation; 0 where it looks at its operands.
-    fn side(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> i64 {
-        match op.guard().map(modes) {
+    fn guard_mode(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> i64 {
+        match op.guard_index().map(modes) {
             None | Some(super::OPEN) => 0,
             Some(mode) => mode,
         }
@@ -217,7 +227,7 @@ impl<const N: usize> SeriesProgram<N> {
         let Op::Remainder { x, y, .. } = *op else {
             return 0.0;
         };
-        match op.guard().map(modes) {
+        match op.guard_index().map(modes) {
             None | Some(super::OPEN) => (self.row(x)[0] / self.row(y)[0]).trunc(),
             Some(mode) if mode < 0 => (mode + 1) as f64,
             Some(mode) => mode as f64,
@@ -228,7 +238,7 @@ impl<const N: usize> SeriesProgram<N> {
         let x = self.row(x);
         let (own, other) = (&self.rows[index], &self.others[index]);
         match function {
-            Function::Exp => along(x, own, k),
+            Function::Exp => integrated_coefficient(x, own, k),
             Function::Sqrt => {
                 let known: f64 = (1..k).map(|i| own[i] * own[k - i]).sum();
                 (x[k] - known) / (2.0 * own[0])
@@ -240,10 +250,10 @@ impl<const N: usize> SeriesProgram<N> {
                 sum / (k as f64 * x[0])
             }
             _ => {
-                let value = along(x, other, k);
+                let value = integrated_coefficient(x, other, k);
                 let companion = match function {
-                    Function::Sin | Function::Cos => -along(x, own, k),
-                    Function::Sinh | Function::Cosh => along(x, own, k),
+                    Function::Sin | Function::Cos => -integrated_coefficient(x, own, k),
+                    Function::Sinh | Function::Cosh => integrated_coefficient(x, own, k),
                     // tan′ = 1 + tan², tanh′ = 1 − tanh².
                     _ => {
                         let known: f64 = (1..k).map(|i| own[i] * own[k - i]).sum();
@@ -267,13 +277,13 @@ fn product<const N: usize>(a: &Row<N>, b: &Row<N>, k: usize) -> f64 {
 }
 
 /// Coefficient k ≥ 1 of y with y′ = slope·x′.
-fn along<const N: usize>(x: &Row<N>, slope: &Row<N>, k: usize) -> f64 {
+fn integrated_coefficient<const N: usize>(x: &Row<N>, slope: &Row<N>, k: usize) -> f64 {
     let sum: f64 = (1..=k).map(|j| j as f64 * x[j] * slope[k - j]).sum();
     sum / k as f64
 }
 
 /// The first coefficients of a function about a place.
-pub(crate) fn about<const N: usize>(function: Function, place: f64) -> Row<N> {
+pub(crate) fn taylor_about<const N: usize>(function: Function, place: f64) -> Row<N> {
     let code = Code(vec![Op::Variable(0), Op::Of(function, 0)]);
     let mut ordered = SeriesProgram::<N>::of(&code);
     std::array::from_fn(|order| {

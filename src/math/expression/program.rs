@@ -258,7 +258,7 @@ impl Op {
     }
 
     /// The guard that it looks at.
-    pub(super) fn guard(&self) -> Option<u16> {
+    pub(super) fn guard_index(&self) -> Option<u16> {
         match *self {
             Self::Atan2 { guard, .. }
             | Self::Remainder { guard, .. }
@@ -307,7 +307,7 @@ impl Program {
 impl Op {
     /// The same with the guards numbered anew.
     pub(super) fn with_guards(mut self, numbers: &[Option<u16>]) -> Self {
-        let own = self.guard();
+        let own = self.guard_index();
         let named = own.and_then(|guard| numbers[usize::from(guard)]);
         match &mut self {
             Self::Atan2 { guard, .. }

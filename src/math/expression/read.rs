@@ -74,7 +74,7 @@ pub(super) fn read(text: &str, symbols: &mut dyn Symbols) -> Result<ParseResult,
         unlocated: None,
         unknown: None,
     };
-    reader.advance()?;
+    reader.next_token()?;
     let root = reader.expression(0)?;
     if reader.token != Token::End {
         return Err((Wrong::Token, reader.place));
@@ -122,7 +122,7 @@ impl Reader<'_, '_> {
             && before >= least
         {
             let place = self.place.clone();
-            self.advance()?;
+            self.next_token()?;
             left = match symbol {
                 "!" => self.factorial(left, start..self.end)?,
                 "?" => self.conditional(left, start..place.start)?,
@@ -137,10 +137,10 @@ impl Reader<'_, '_> {
     }
 
     fn conditional(&mut self, condition: Register, place: Range<usize>) -> Result<Register, Error> {
-        self.truth(condition, &place);
+        self.require_truth_value(condition, &place);
         let a = self.expression(0)?;
         match self.token {
-            Token::Symbol(":") => self.advance()?,
+            Token::Symbol(":") => self.next_token()?,
             Token::End => return Err((Wrong::End, self.place.clone())),
             _ => return Err((Wrong::Token, self.place.clone())),
         };
@@ -160,7 +160,7 @@ impl Reader<'_, '_> {
 
     fn operand(&mut self) -> Result<Register, Error> {
         let place = self.place.clone();
-        let token = self.advance()?;
+        let token = self.next_token()?;
         match token {
             Token::Number(digits) => match digits.parse::<f64>() {
                 Ok(value) if value.is_finite() => Ok(self.builder.number(value)),
@@ -168,7 +168,7 @@ impl Reader<'_, '_> {
             },
             Token::Quantity(symbol) => Ok(self.register(symbol)),
             Token::Name(name) if self.token == Token::Symbol("(") => self.call(name, place),
-            Token::Name(name) => match self.named(name) {
+            Token::Name(name) => match self.read_name(name) {
                 Some(register) => Ok(register),
                 None => Ok(self.not_known((Wrong::Variable, place))),
             },
@@ -184,8 +184,8 @@ impl Reader<'_, '_> {
             Token::Symbol("+") => self.expression(SIGN),
             Token::Symbol("!") => {
                 let x = self.expression(SIGN)?;
-                self.truth(x, &(place.end..self.end));
-                Ok(self.builder.plain(Op::Not(x)))
+                self.require_truth_value(x, &(place.end..self.end));
+                Ok(self.builder.operation_on_operands(Op::Not(x)))
             }
             Token::End => Err((Wrong::End, place)),
             Token::Symbol(_) => Err((Wrong::Token, place)),
@@ -197,7 +197,7 @@ impl Reader<'_, '_> {
         self.builder.number(0.0)
     }
 
-    fn named(&mut self, name: &str) -> Option<Register> {
+    fn read_name(&mut self, name: &str) -> Option<Register> {
         if let Some(symbol) = self.symbols.symbol(name) {
             return Some(self.register(symbol));
         }
@@ -214,7 +214,7 @@ impl Reader<'_, '_> {
 
     fn close(&mut self, opening: Range<usize>) -> Result<(), Error> {
         match self.token {
-            Token::Symbol(")") => self.advance().map(drop),
+            Token::Symbol(")") => self.next_token().map(drop),
             Token::End => Err((Wrong::Parenthesis, opening)),
             _ => Err((Wrong::Token, self.place.clone())),
         }
@@ -222,7 +222,7 @@ impl Reader<'_, '_> {
 
     fn call(&mut self, name: &str, place: Range<usize>) -> Result<Register, Error> {
         let opening = self.place.clone();
-        self.advance()?;
+        self.next_token()?;
         let mut arguments = Vec::new();
         if self.token != Token::Symbol(")") {
             loop {
@@ -235,7 +235,7 @@ impl Reader<'_, '_> {
                 if self.token != Token::Symbol(",") {
                     break;
                 }
-                self.advance()?;
+                self.next_token()?;
             }
         }
         self.close(opening)?;
@@ -293,34 +293,34 @@ impl Reader<'_, '_> {
             ">" => builder.less(b, a, false),
             ">=" => builder.less(b, a, true),
             "&&" | "||" => {
-                self.truth(a, &place);
-                self.truth(b, &place);
-                self.builder.plain(match symbol {
+                self.require_truth_value(a, &place);
+                self.require_truth_value(b, &place);
+                self.builder.operation_on_operands(match symbol {
                     "&&" => Op::And(a, b),
                     _ => Op::Or(a, b),
                 })
             }
             _ => {
-                if !(builder.steps(a) && builder.steps(b)) {
-                    self.note(place);
+                if !(builder.changes_by_jumps(a) && builder.changes_by_jumps(b)) {
+                    self.note_place(place);
                 }
-                let equal = self.builder.plain(Op::Equal(a, b));
+                let equal = self.builder.operation_on_operands(Op::Equal(a, b));
                 match symbol {
                     "==" => equal,
-                    _ => self.builder.plain(Op::Not(equal)),
+                    _ => self.builder.operation_on_operands(Op::Not(equal)),
                 }
             }
         }
     }
 
     /// A value that counts as true or false.
-    fn truth(&mut self, x: Register, place: &Range<usize>) {
-        if !self.builder.steps(x) {
-            self.note(place.clone());
+    fn require_truth_value(&mut self, x: Register, place: &Range<usize>) {
+        if !self.builder.changes_by_jumps(x) {
+            self.note_place(place.clone());
         }
     }
 
-    fn note(&mut self, place: Range<usize>) {
+    fn note_place(&mut self, place: Range<usize>) {
         self.unlocated.get_or_insert(place);
     }
 }

@@ -106,7 +106,7 @@ impl Scalar for Third {
         })
     }
 
-    fn central(self) -> f64 {
+    fn compared_value(self) -> f64 {
         self.0.value
     }
 

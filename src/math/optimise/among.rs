@@ -26,7 +26,7 @@ struct Course {
 }
 
 impl Course {
-    fn through(points: &[SamplePoint]) -> Self {
+    fn through_points(points: &[SamplePoint]) -> Self {
         let mut own = Self {
             places: [0.0; ROOM],
             first: [0.0; ROOM],
@@ -102,7 +102,7 @@ pub(crate) fn refine_maximum_among(
     let first = top.clamp(1, 5) - 1;
     let mut three = [points[first], points[first + 1], points[first + 2]];
     let resolution = 1e-9 * (three[2].0 - three[0].0);
-    let (mut course, mut near) = (Course::through(points), near);
+    let (mut course, mut near) = (Course::through_points(points), near);
     // Where it rises to the very end there is none; a look tells whether that is so.
     if course.rises_beyond(points, top) {
         let told = course.at(near)[0];
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn a_polynomial_is_known_by_its_points() {
         let f = |x: f64| 2.0 - x + 3.0 * x.powi(4) - 0.5 * x.powi(6);
-        let course = Course::through(&PLACES.map(|x| (x, f(x))));
+        let course = Course::through_points(&PLACES.map(|x| (x, f(x))));
         for x in [0.1, 0.6, 0.93] {
             let [value, slope, bend] = course.at(x);
             approx::assert_relative_eq!(value, f(x), max_relative = 1e-13);

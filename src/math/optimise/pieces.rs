@@ -29,7 +29,7 @@ pub(crate) fn greatest(
     };
     for (piece, from, to) in pieces {
         let at = |x: f64| value(piece, x);
-        let count = intervals(&at, from, to);
+        let count = search_intervals(&at, from, to);
         let place = |i: usize| match i {
             0 => from,
             i if i == count => to,
@@ -57,7 +57,7 @@ pub(crate) fn greatest(
 /// Intervals that a piece is to be searched in: so many that there are several to
 /// each turning point. The places looked at are spread unevenly, so that no
 /// oscillation passes for a slow one by keeping step with them.
-fn intervals(at: &dyn Fn(f64) -> f64, from: f64, to: f64) -> usize {
+fn search_intervals(at: &dyn Fn(f64) -> f64, from: f64, to: f64) -> usize {
     let mut count = INTERVALS;
     while count < MOST_INTERVALS {
         let place = |i: usize| {

@@ -66,7 +66,7 @@ impl Places {
     }
 
     /// Makes the weights those of a step.
-    fn follow(&mut self, step: &Step<'_>) {
+    fn set_step(&mut self, step: &Step<'_>) {
         if self.end != step.end {
             self.end = step.end;
             self.at = self.shares.iter().map(|share| share * step.end).collect();
@@ -77,7 +77,7 @@ impl Places {
     /// The states y = [u, u′] of a step of degree 1 or more at the places, one after the
     /// other.
     pub(crate) fn states(&mut self, step: &Step<'_>, out: &mut [f64]) {
-        self.follow(step);
+        self.set_step(step);
         if self.of_states.degree != step.degree - 1 {
             self.of_states.set(step.degree - 1, &self.at);
         }
@@ -101,7 +101,7 @@ impl Places {
     /// Second derivatives of the coordinates by the time at the places, one after the
     /// other.
     pub(crate) fn accelerations(&mut self, step: &Step<'_>, out: &mut [f64]) {
-        self.follow(step);
+        self.set_step(step);
         let (n, degree) = (step.coordinates, step.degree);
         if degree < 2 {
             return out.fill(0.0);

@@ -51,8 +51,8 @@ fn search(
         return (first[degree] > 0.0 && second[degree] > 0.0).then_some(to);
     }
     let middle = 0.5 * (from + to);
-    let (left_first, right_first) = halve(&pair[0], degree);
-    let (left_second, right_second) = halve(&pair[1], degree);
+    let (left_first, right_first) = split_in_halves(&pair[0], degree);
+    let (left_second, right_second) = split_in_halves(&pair[1], degree);
     search(
         &[left_first, left_second],
         degree,
@@ -134,7 +134,7 @@ fn only_root(coefficients: &[f64], rising: bool) -> f64 {
 }
 
 /// Both halves of a polynomial, each over its own 0 … 1 (de Casteljau).
-fn halve(coefficients: &Coefficients, degree: usize) -> (Coefficients, Coefficients) {
+fn split_in_halves(coefficients: &Coefficients, degree: usize) -> (Coefficients, Coefficients) {
     let mut left = [0.0; MAX_DEGREE + 1];
     let mut right = *coefficients;
     parts::halve(&mut left[..=degree], &mut right[..=degree]);

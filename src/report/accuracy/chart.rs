@@ -12,7 +12,7 @@ use crate::studies::order::{Certificate, FigureAccuracy, TriedModel};
 pub(in crate::report) const LEAST: f64 = 1e-12;
 
 /// Error of each figure over the coordinates of the model, every model tried a mark.
-pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
+pub(in crate::report) fn chart_section<'a>(certificate: &Certificate) -> Section<'a> {
     let limits = certificate.accuracy.iter().filter_map(|(name, figure)| {
         let limit = figure.limit.filter(|limit| *limit != 0.0)?;
         Some((name, figure, limit))
@@ -24,7 +24,7 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
                 let error = ((value - limit) / limit).abs().max(LEAST);
                 Some((
                     (tried.coordinates as f64, error),
-                    mark(tried, figure, value),
+                    mark_of_model(tried, figure, value),
                 ))
             });
             let (points, marks): (Vec<_>, Vec<_>) = points.unzip();
@@ -59,7 +59,7 @@ fn sizes_are_counts(certificate: &Certificate) -> bool {
 }
 
 /// Filled for the model chosen, open for the others.
-fn mark(tried: &TriedModel, figure: &FigureAccuracy, value: f64) -> Mark {
+fn mark_of_model(tried: &TriedModel, figure: &FigureAccuracy, value: f64) -> Mark {
     let chosen = if tried.chosen { ", chosen" } else { "" };
     let shape = match tried.chosen {
         true => Shape::Good,

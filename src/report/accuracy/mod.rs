@@ -2,7 +2,7 @@
 
 mod chart;
 
-pub(in crate::report) use chart::{LEAST, chart};
+pub(in crate::report) use chart::{LEAST, chart_section};
 
 use crate::report::findings::{Cell, Section, Table, Value};
 use crate::report::plot::Rule;
@@ -18,7 +18,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
             Cell::result(name),
             number(found.value, 7).into(),
             number(found.limit.unwrap_or(f64::NAN), 7).into(),
-            Cell::with(worth(found), found.why.clone().unwrap_or_default()),
+            Cell::with_note(error_in_words(found), found.why.clone().unwrap_or_default()),
         ]
     };
     let object = |(id, model): (&String, &ObjectModel)| {
@@ -60,7 +60,7 @@ pub(in crate::report) fn requested_error_line(certificate: &Certificate) -> Vec<
 }
 
 /// How far a figure may be off, and how sure that is.
-fn worth(figure: &FigureAccuracy) -> String {
+fn error_in_words(figure: &FigureAccuracy) -> String {
     let sure = match figure.kind {
         Certainty::Bound => "bound",
         Certainty::Estimate => "estimate",

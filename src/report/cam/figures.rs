@@ -61,7 +61,7 @@ fn at(at: At, unit: &str) -> String {
 /// A number that is met at an angle of the cam.
 fn extreme(name: &str, at: At, unit: &str) -> Figure {
     let value = Value::angle_or(clean(at.value), unit, DIGITS);
-    Figure::new(name, value).with(format!("at {}", degrees(at.phi)))
+    Figure::new(name, value).with_note(format!("at {}", degrees(at.phi)))
 }
 
 fn number(name: &str, value: f64, unit: &str) -> Figure {
@@ -136,7 +136,7 @@ fn face_rows(rows: &mut Rows, face: &FaceFigures) {
         Some(width) => format!("HAS ONLY {}", length(width)),
         None => String::new(),
     };
-    rows.push(number("width of the face needed", face.needed_width, "m").with(enough));
+    rows.push(number("width of the face needed", face.needed_width, "m").with_note(enough));
 }
 
 fn sizes(rows: &mut Rows, found: &CamFigures) {
@@ -159,7 +159,7 @@ fn sizes(rows: &mut Rows, found: &CamFigures) {
     }
     if let Some(best) = found.best_offset {
         let circle = format!("base circle {}", length(best.base_radius));
-        rows.push(number("best offset", best.offset, "m").with(circle));
+        rows.push(number("best offset", best.offset, "m").with_note(circle));
     }
     let smooth = ranges(&found.base_for_curvature);
     rows.push(Figure::new("base circles smooth enough", smooth));
@@ -198,7 +198,7 @@ fn ranges(answer: &Answer<Vec<BaseRange>>) -> String {
     }
 }
 
-fn rpm(speed: f64) -> String {
+pub(super) fn rpm(speed: f64) -> String {
     format!("{} rpm", result(speed * 60.0 / TAU, DIGITS))
 }
 
@@ -264,7 +264,7 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
         LiftOff::Below(speed) => format!("even at {}", rpm(speed)),
     });
     rows.extend(rigid.map(|text| Figure::new("lift-off, rigid", text)));
-    rows.extend(elastic.map(|text| Figure::new("lift-off, elastic (runs, to 0.1 %)", text)));
+    rows.extend(elastic.map(|text| Figure::new("lift-off, elastic", text)));
     if let Some(elastic) = &force.elastic_contact {
         elastic_rows(rows, force, elastic);
     }
@@ -280,7 +280,7 @@ fn elastic_rows(rows: &mut Rows, force: &ForceFigures, elastic: &ElasticFigures)
     }
     if let Some(preload) = elastic.preload {
         let name = "preload needed, elastic (runs)";
-        rows.push(number(name, clean(preload), force.unit).with("without a reserve"));
+        rows.push(number(name, clean(preload), force.unit).with_note("without a reserve"));
     }
     for why in &elastic.missing {
         rows.push(Figure::new("elastic contact", format!("not known: {why}")));
@@ -305,7 +305,7 @@ fn spring_rows(rows: &mut Rows, force: &ForceFigures, answer: &SpringAnswer) {
         force.unit,
     ));
     let preload = clean(answer.preload.value);
-    rows.push(number("preload needed with this rate", preload, unit).with(has));
+    rows.push(number("preload needed with this rate", preload, unit).with_note(has));
     let text = match (&answer.rates, &answer.no_rate) {
         (Some(rates), _) => match rates.to {
             Some(to) => format!(

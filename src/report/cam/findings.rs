@@ -1,7 +1,7 @@
 //! What is known of a cam: the cam turning with its follower, figures, diagrams.
 
 use super::figures::{contact, describe, figures};
-use super::picture::{Follower, bodies, drawing, drawn, marks, style};
+use super::picture::{Follower, curves_to_draw, drawing, marks, moving_bodies, style};
 use super::remarks::remarks;
 use super::tables::PLACES;
 use super::view::{View, view};
@@ -68,7 +68,7 @@ impl CamReport<'_> {
 
     /// The verdict: its shape and its contact are as asked.
     pub fn judgement(&self) -> Judgement {
-        Judgement::decide(RunEnd::Complete, &[], || match grave(self.figures).len() {
+        Judgement::judge_result(RunEnd::Complete, &[], || match grave(self.figures).len() {
             0 => self.figures.contact(),
             _ => Judgement::NotInWorkingOrder,
         })
@@ -136,17 +136,21 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
             _ => String::new(),
         };
         let text = format!("{shape} {why}");
-        return Verdict::judged(judgement, sound(report.figures), text.trim_end());
+        return Verdict::of_judgement(
+            judgement,
+            headline_of_sound_cam(report.figures),
+            text.trim_end(),
+        );
     };
     let text = match grave.len() {
         1 => Sentence::default(),
         count => format!("And {} more, listed below.", count - 1).into(),
     };
-    Verdict::judged(judgement, Sentence::read(&(capitalised(first) + ".")), text)
+    Verdict::of_judgement(judgement, Sentence::read(&(capitalised(first) + ".")), text)
 }
 
 /// What a sound cam comes to: its greatest pressure angle, and up to which speed it keeps contact.
-fn sound(figures: &CamFigures) -> Sentence {
+fn headline_of_sound_cam(figures: &CamFigures) -> Sentence {
     let sizes = figures.pressure.map(|at| at.value.abs());
     let angle = sizes[0].max(sizes[1]);
     let flat = figures.face.is_some();
@@ -174,7 +178,7 @@ fn unjudged(figures: &CamFigures) -> String {
 
 /// The drawing with its controls.
 fn turning(report: &CamReport<'_>, plots: &Plots) -> String {
-    let curves = drawn(report.cam);
+    let curves = curves_to_draw(report.cam);
     let view = view(report.cam, &curves);
     let [w, h] = [view.size[0], view.size[1] + 16.0].map(|size| format!("{size:.0}"));
     let picture = format!(
@@ -203,7 +207,7 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
     let mut columns: Vec<(&str, &str, Vec<f64>)> = Vec::new();
     let column = |f: &dyn Fn(f64) -> f64| places.iter().map(|&phi| f(phi)).collect::<Vec<f64>>();
     let state = |phi: f64| {
-        let (piece, phi) = cam.motion().locate(phi);
+        let (piece, phi) = cam.motion().piece_at(phi);
         cam.at(piece, phi)
     };
     let lift = column(&|phi| state(phi).lift);
@@ -228,7 +232,7 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
     ));
     if let Some(force) = report.force {
         let at = |phi: f64| {
-            let (piece, phi) = cam.motion().locate(phi);
+            let (piece, phi) = cam.motion().piece_at(phi);
             force.at_within_piece(phi, piece.from, piece.to)
         };
         columns.push(("contact force", "N", column(&|phi| at(phi)[1])));
@@ -268,7 +272,7 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
             Coordinates::Own { own: places },
             Coordinates::Own { own: lift },
         ],
-        bodies: bodies(cam, view, 0, &follower).into(),
+        bodies: moving_bodies(cam, view, 0, &follower).into(),
         ..Player::default()
     }
 }

@@ -13,7 +13,9 @@ mod words;
 pub use dxf::dxf;
 pub use findings::{CamReport, findings};
 pub use picture::picture;
-pub(in crate::report) use picture::{Follower, bodies, drawing, drawn, ends, marks, style};
+pub(in crate::report) use picture::{
+    Follower, curves_to_draw, drawing, ends, marks, moving_bodies, style,
+};
 pub use tables::{cycle_rows, polygon_rows};
 pub(in crate::report) use view::view_within;
 

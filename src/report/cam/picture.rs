@@ -3,10 +3,10 @@
 
 use super::NamedCurve;
 use super::view::number_text;
-use super::view::{Mover, View, mover, parts, rim_radius, view};
+use super::view::{Mover, View, mover_of_cam, parts_of_cam, rim_radius, view};
 use crate::kinematics::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, PartDisplacement};
-use crate::report::mechanism::marks::{scale_bar, sense};
+use crate::report::mechanism::marks::{scale_bar, turning_arrow};
 use crate::report::plot::document;
 use crate::report::quantity::{escape, with_unit};
 use std::fmt::Write as _;
@@ -32,13 +32,13 @@ const STYLE: &str = "\
 const FINE: f64 = 3e-4;
 
 /// The curves as they are drawn: no finer than can be seen.
-pub(in crate::report) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
+pub(in crate::report) fn curves_to_draw(cam: &DiscCam) -> Vec<NamedCurve> {
     super::curves(cam, FINE * cam.geometry().prime_radius(), None).unwrap_or_default()
 }
 
 /// The drawing at φ (rad) as a complete SVG document on white ground.
 pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
-    let curves = drawn(cam);
+    let curves = curves_to_draw(cam);
     let view = view(cam, &curves);
     let body = drawing(cam, &curves, &view, phi, None) + &marks(cam, &view, true);
     let [width, height] = view.size;
@@ -55,13 +55,13 @@ pub(in crate::report) fn drawing(
     phi: f64,
     beside: Option<f64>,
 ) -> String {
-    let mover = mover(cam, view);
-    let (piece, at) = cam.motion().locate(phi);
+    let mover = mover_of_cam(cam, view);
+    let (piece, at) = cam.motion().piece_at(phi);
     let lift = cam.motion().jet(piece, at).value;
     let part = |class: &str, link: usize, transform: String, place: [f64; 2], drawn: String| {
         format!(
             "<g{class} data-link=\"{link}\" transform=\"{transform}\">{}\n{drawn}</g></g>\n",
-            about(place)
+            group_at_pixel(place)
         )
     };
     let behind = |class: &str, link: usize, lift: f64| {
@@ -69,7 +69,7 @@ pub(in crate::report) fn drawing(
         part(class, link, transform, mover.about, follower(cam, view))
     };
     let turned = rotation_attribute(mover.axis, mover.cam * phi);
-    let mut out = part("", 0, turned, mover.axis, body(cam, curves, view));
+    let mut out = part("", 0, turned, mover.axis, draw_cam_body(cam, curves, view));
     let [x, y] = mover.axis.map(number_text);
     let base = circle(
         "cam-base",
@@ -96,7 +96,7 @@ pub(in crate::report) fn marks(cam: &DiscCam, view: &View, forward: bool) -> Str
     let axis = view.origin;
     let mut out = String::new();
     // The base circle: a radius to the side on which no follower is.
-    let parts = parts(cam);
+    let parts = parts_of_cam(cam);
     let away = (-parts.tip[1]).atan2(-parts.tip[0]) - 0.5;
     let rim = [away.cos(), away.sin()].map(|part| geometry.base_radius * part);
     out.push_str(&dimension(
@@ -124,13 +124,13 @@ pub(in crate::report) fn marks(cam: &DiscCam, view: &View, forward: bool) -> Str
     }
     let radius = (0.42 * view.scale * geometry.base_radius).clamp(14.0, 40.0);
     let counterclockwise = (geometry.sense > 0.0) == forward;
-    out + &sense(axis, radius, counterclockwise)
+    out + &turning_arrow(axis, radius, counterclockwise)
 }
 
 /// The pixels of the cam's axis, of the follower's axis or far end, and of its tip where it is
 /// innermost.
 pub(in crate::report) fn ends(cam: &DiscCam, view: &View) -> [[f64; 2]; 3] {
-    let parts = parts(cam);
+    let parts = parts_of_cam(cam);
     [view.origin, view.point(parts.end), view.point(parts.tip)]
 }
 
@@ -185,7 +185,7 @@ fn circle(class: &str, place: [f64; 2], radius: f64) -> String {
 }
 
 /// Opens a group whose own origin is a pixel of the picture.
-fn about(place: [f64; 2]) -> String {
+fn group_at_pixel(place: [f64; 2]) -> String {
     let [x, y] = place.map(|value| number_text(-value));
     format!("<g transform=\"translate({x} {y})\">")
 }
@@ -203,13 +203,13 @@ fn follower_transform(mover: &Mover, lift: f64) -> String {
 
 /// How the player moves cam and follower: the cam by the coordinate `cam_angle`
 /// (rad), the follower by the outward displacement factor · coordinate − base.
-pub(in crate::report) fn bodies(
+pub(in crate::report) fn moving_bodies(
     cam: &DiscCam,
     view: &View,
     cam_angle: usize,
     follower: &Follower,
 ) -> [Body; 2] {
-    let mover = mover(cam, view);
+    let mover = mover_of_cam(cam, view);
     let Follower {
         column,
         factor,
@@ -258,7 +258,7 @@ pub(in crate::report) struct Follower {
 }
 
 /// The cam's body in its own frame.
-fn body(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
+fn draw_cam_body(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
     let path = |name: &str| {
         let curve = curves.iter().find(|curve| curve.name == name)?;
         let mut text = String::new();
@@ -317,7 +317,7 @@ fn rim(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
 
 /// The follower where it is innermost.
 fn follower(cam: &DiscCam, view: &View) -> String {
-    let parts = parts(cam);
+    let parts = parts_of_cam(cam);
     let mut out = String::new();
     let arm_end = match parts.face {
         Some([_, far]) if matches!(cam.geometry().guide, Guide::Turning { .. }) => far,

@@ -1,5 +1,6 @@
 //! What a designer must know of a cam, in sentences.
 
+use super::figures::rpm;
 use super::words::{angle_at, degrees, length};
 use crate::kinematics::cam::Finding;
 use crate::report::quantity::with_unit;
@@ -44,6 +45,14 @@ pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
         if force.contact_verdict() == Judgement::NotInWorkingOrder {
             let text = "the elastic follower lifts off at this speed";
             list.push((true, text.to_owned()));
+        }
+        if let Some(speed) = force.lift_off_below() {
+            let text = format!(
+                "note: from {} on the follower lifts off in bands of speed, each about a resonance; \
+                 at the speed of the cam it stays in contact",
+                rpm(speed)
+            );
+            list.push((false, text));
         }
         list.extend(
             force

@@ -58,11 +58,11 @@ pub(super) struct Mover {
 }
 
 /// Of a cam on a picture.
-pub(super) fn mover(cam: &DiscCam, view: &View) -> Mover {
+pub(super) fn mover_of_cam(cam: &DiscCam, view: &View) -> Mover {
     let geometry = cam.geometry();
     let (shift, turn, about) = match geometry.guide {
         Guide::Translating { .. } => {
-            let outward = parts(cam).outward;
+            let outward = parts_of_cam(cam).outward;
             (
                 [view.scale * outward[0], -view.scale * outward[1]],
                 0.0,
@@ -71,7 +71,7 @@ pub(super) fn mover(cam: &DiscCam, view: &View) -> Mover {
         }
         Guide::Turning { against, .. } => {
             let turn = geometry.sense * against * 180.0 / PI;
-            ([0.0; 2], turn, view.point(parts(cam).end))
+            ([0.0; 2], turn, view.point(parts_of_cam(cam).end))
         }
     };
     Mover {
@@ -84,7 +84,7 @@ pub(super) fn mover(cam: &DiscCam, view: &View) -> Mover {
 }
 
 /// Greatest distance of a working curve from the axis (m).
-fn reach(cam: &DiscCam, curves: &[NamedCurve]) -> f64 {
+fn greatest_distance(cam: &DiscCam, curves: &[NamedCurve]) -> f64 {
     let names = ["profile", "inner_flank", "outer_flank"];
     let shown = curves
         .iter()
@@ -96,14 +96,14 @@ fn reach(cam: &DiscCam, curves: &[NamedCurve]) -> f64 {
 
 /// Radius of the rim of a hollow or grooved cam (m); of a disc its reach.
 pub(super) fn rim_radius(cam: &DiscCam, curves: &[NamedCurve]) -> f64 {
-    let reach = reach(cam, curves);
+    let reach = greatest_distance(cam, curves);
     match cam.geometry().surface {
         Surface::Disc => reach,
         Surface::Hollow | Surface::Groove => reach + 0.12 * reach,
     }
 }
 
-pub(super) fn parts(cam: &DiscCam) -> Parts {
+pub(super) fn parts_of_cam(cam: &DiscCam) -> Parts {
     let geometry = cam.geometry();
     let pose = cam.innermost();
     let size = geometry.prime_radius();
@@ -153,7 +153,7 @@ pub(in crate::report) fn view_within(cam: &DiscCam, curves: &[NamedCurve], most:
         .map(|point| point[0].hypot(point[1]))
         .fold(rim_radius(cam, curves), f64::max);
     let (mut low, mut high) = ([-radius; 2], [radius; 2]);
-    let parts = parts(cam);
+    let parts = parts_of_cam(cam);
     let roller = cam.geometry().roller().unwrap_or(0.0);
     let stroke = cam.motion().stroke();
     let mut shown = vec![parts.tip, parts.end];

@@ -90,7 +90,8 @@ impl Findings<'_> {
             answer.uncertify();
         }
         let words = capitalised(&words) + ".";
-        self.sections.insert(0, Section::default().words(words));
+        self.sections
+            .insert(0, Section::default().with_paragraph(words));
     }
 
     /// The first chart.
@@ -209,7 +210,7 @@ impl<'a> Section<'a> {
 
     /// The section with a paragraph.
     #[must_use]
-    pub fn words(self, words: impl Into<String>) -> Self {
+    pub fn with_paragraph(self, words: impl Into<String>) -> Self {
         self.item(Item::Words(words.into()))
     }
 

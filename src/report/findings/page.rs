@@ -2,9 +2,11 @@
 
 use super::{Cell, Charts, Figure, Findings, Item, Layout, Section, Table, Value};
 use crate::report::addresses::{in_words, result_words};
-use crate::report::html::{bar, fact_list, header, named, number, scene, shell, warnings};
+use crate::report::html::{
+    bar, fact_list, header, name_with_symbols, number, scene, shell, warnings,
+};
 use crate::report::plot::{Plot, Plots};
-use crate::report::quantity::{coded, escape, raised};
+use crate::report::quantity::{coded, escape, with_raised_powers};
 use crate::report::symbols::{Setting, symbols};
 use std::fmt::Write as _;
 
@@ -73,7 +75,7 @@ impl Section<'_> {
                     let _ = writeln!(out, "<p class=\"soft\">{}</p>", prose(words));
                 }
                 Item::Notes(notes) => out.push_str(&list(notes)),
-                Item::Figures(figures) => out.push_str(&facts(figures)),
+                Item::Figures(figures) => out.push_str(&list_of_figures(figures)),
                 Item::Table(table) => out.push_str(&table.html()),
                 Item::Folded(summary, table) => {
                     let table = table.html().replacen("scroll", "scroll tall", 1);
@@ -108,7 +110,10 @@ fn list(notes: &[String]) -> String {
 
 /// A sentence.
 fn prose(words: &str) -> String {
-    coded(&symbols(&escape(&raised(&in_words(words))), Setting::Page))
+    coded(&symbols(
+        &escape(&with_raised_powers(&in_words(words))),
+        Setting::Page,
+    ))
 }
 
 /// Headings of a page from which on it has a list of them.
@@ -135,7 +140,7 @@ fn with_contents(body: &str) -> (String, String) {
     }
 }
 
-fn facts(figures: &[Figure]) -> String {
+fn list_of_figures(figures: &[Figure]) -> String {
     let row = |figure: &Figure| {
         let note = match figure.note.as_str() {
             "" => String::new(),
@@ -221,7 +226,7 @@ impl Table {
                 format!(
                     "<th class=\"{}\">{}</th>",
                     class_of(at, "head"),
-                    named(&result_words(&column.name))
+                    name_with_symbols(&result_words(&column.name))
                 )
             })
             .collect();
@@ -247,7 +252,7 @@ impl Table {
             };
             let value = match cell.object {
                 true => format!("<a href=\"#object-{0}\">{0}</a>", value(&cell.value)),
-                false if !cell.words.is_empty() => named(&cell.words),
+                false if !cell.words.is_empty() => name_with_symbols(&cell.words),
                 false => value(&cell.value),
             };
             let label = match self.columns.get(at) {

@@ -2,7 +2,7 @@
 
 use crate::report::addresses::result_words;
 use crate::report::display_units;
-use crate::report::quantity::{scale, significant, with_unit};
+use crate::report::quantity::{readable_scale, significant, with_unit};
 use crate::studies::check::Check;
 use crate::units::shown;
 
@@ -64,7 +64,7 @@ impl Value {
                 unit,
                 digits,
             } => {
-                let scale = scale(*value, unit);
+                let scale = readable_scale(*value, unit);
                 let (number, unit) = match scale.unit.starts_with("10") {
                     true => (*value, unit),
                     false => (value / scale.factor, &scale.unit),
@@ -108,7 +108,7 @@ pub struct Figure {
 impl Figure {
     /// A check with its bound.
     pub fn check(check: &Check) -> Self {
-        Self::new(check.name, judged(check)).checked(check)
+        Self::new(check.name, check_outcome(check)).checked(check)
     }
 
     /// The figure as the one that shows a check.
@@ -137,7 +137,7 @@ impl Figure {
 
     /// The figure with an addition.
     #[must_use]
-    pub fn with(self, note: impl Into<String>) -> Self {
+    pub fn with_note(self, note: impl Into<String>) -> Self {
         Self {
             note: note.into(),
             ..self
@@ -146,7 +146,7 @@ impl Figure {
 }
 
 /// How far a check is off, and whether that is within its bound.
-pub(in crate::report) fn judged(check: &Check) -> String {
+pub(in crate::report) fn check_outcome(check: &Check) -> String {
     let judged = match check.passed() {
         true => "within",
         false => "BEYOND",
@@ -215,7 +215,7 @@ impl<V: Into<Value>> From<V> for Cell {
 
 impl Cell {
     /// A number, or what stands where there is none.
-    pub fn known(value: Option<f64>, unit: &str, digits: usize) -> Self {
+    pub fn known_number(value: Option<f64>, unit: &str, digits: usize) -> Self {
         Value::new(value.unwrap_or(f64::NAN), unit, digits).into()
     }
 
@@ -246,12 +246,12 @@ impl Cell {
 
     /// The cell as good or bad news.
     #[must_use]
-    pub fn judged(self, good: Option<bool>) -> Self {
+    pub fn with_outcome(self, good: Option<bool>) -> Self {
         Self { good, ..self }
     }
 
     /// A value with an addition.
-    pub fn with(value: impl Into<Value>, note: impl Into<String>) -> Self {
+    pub fn with_note(value: impl Into<Value>, note: impl Into<String>) -> Self {
         Self {
             note: note.into(),
             ..Self::from(value.into())

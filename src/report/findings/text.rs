@@ -9,11 +9,11 @@ impl Findings<'_> {
     pub fn text(&self, room: Option<usize>) -> String {
         let mut text = match self.subtitle.is_empty() {
             true => format!("{}\n", self.title),
-            false => format!("{}: {}\n", self.title, typed(&self.subtitle)),
+            false => format!("{}: {}\n", self.title, terminal_numbers(&self.subtitle)),
         };
         if let Some(answer) = &self.answer {
-            let sentence = format!("{} {}", answer.headline, answer.said());
-            let _ = writeln!(text, "{}", typed(sentence.trim()));
+            let sentence = format!("{} {}", answer.headline, answer.following_sentence());
+            let _ = writeln!(text, "{}", terminal_numbers(sentence.trim()));
         }
         for section in &self.sections {
             let body = section.text(room);
@@ -31,7 +31,7 @@ impl Findings<'_> {
 }
 
 /// Sentences in the numbers of the terminal: −1.2·10⁻⁷ as -1.2e-7.
-pub(super) fn typed(text: &str) -> String {
+pub(super) fn terminal_numbers(text: &str) -> String {
     const ABOVE: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     let digit = |c: char| ABOVE.chars().position(|one| one == c);
     let is_power = |c: &char| *c == '⁻' || digit(*c).is_some();
@@ -71,13 +71,13 @@ impl Section<'_> {
     /// What the terminal shows of the section, without its heading.
     fn text(&self, room: Option<usize>) -> String {
         let part = |item: &Item<'_>| match item {
-            Item::Words(words) if !words.is_empty() => format!("  {}\n", typed(words)),
+            Item::Words(words) if !words.is_empty() => format!("  {}\n", terminal_numbers(words)),
             Item::Notes(notes) => notes
                 .iter()
-                .map(|note| format!("  {}\n", typed(note)))
+                .map(|note| format!("  {}\n", terminal_numbers(note)))
                 .collect(),
             Item::Figures(figures) => lines(figures),
-            Item::Table(table) | Item::Folded(_, table) => table.lines(room, typed),
+            Item::Table(table) | Item::Folded(_, table) => table.lines(room, terminal_numbers),
             _ => String::new(),
         };
         self.items.iter().map(part).collect()
@@ -91,7 +91,7 @@ fn lines(figures: &[Figure]) -> String {
     let numbers = figures.iter().filter(|one| is_number(&one.value));
     let numbers = numbers.map(|one| width(&one.value.terminal_text())).max();
     let line = |figure: &Figure| {
-        let value = typed(&figure.value.terminal_text());
+        let value = terminal_numbers(&figure.value.terminal_text());
         let value = match is_number(&figure.value) {
             true => padded(&value, numbers.unwrap_or(0), true),
             false => value,
@@ -99,7 +99,7 @@ fn lines(figures: &[Figure]) -> String {
         let line = format!(
             "  {}  {value}  {}",
             padded(&figure.name, names, false),
-            typed(&figure.note)
+            terminal_numbers(&figure.note)
         );
         line.trim_end().to_owned() + "\n"
     };
@@ -202,8 +202,8 @@ fn prose(cell: &Cell) -> String {
         _ => cell.value.terminal_text(),
     };
     match (value.as_str(), cell.note.as_str()) {
-        ("", other) | (other, "") => typed(other),
-        (value, note) => format!("{}: {}", typed(value), typed(note)),
+        ("", other) | (other, "") => terminal_numbers(other),
+        (value, note) => format!("{}: {}", terminal_numbers(value), terminal_numbers(note)),
     }
 }
 
@@ -251,7 +251,7 @@ pub(in crate::report) fn width(text: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::typed;
+    use super::terminal_numbers;
     use crate::report::findings::{Cell, Figure, Findings, Section, Source, Table, Value};
     use crate::report::quantity::{significant, with_unit};
 
@@ -260,18 +260,18 @@ mod tests {
         for value in [-1.2e-7, 1e-9, -4e12, 3.25, -0.5, 7.0, 1e7, -1e-12] {
             let said = format!("it is {} off", significant(value, 3));
             let plain = format!("it is {} off", crate::units::shown(value, 3));
-            assert_eq!(typed(&said), plain);
+            assert_eq!(terminal_numbers(&said), plain);
         }
-        assert_eq!(typed(&with_unit(3e-17, "m", 2)), "30e-18 m");
+        assert_eq!(terminal_numbers(&with_unit(3e-17, "m", 2)), "30e-18 m");
         assert_eq!(
-            typed("J in kg·m², one part in 10¹⁰ − x"),
+            terminal_numbers("J in kg·m², one part in 10¹⁰ − x"),
             "J in kg·m², one part in 1e10 − x"
         );
     }
 
     fn found() -> Findings<'static> {
         let rows = ["first", "second one"].map(|name| {
-            let value = |by: f64| Cell::with(Value::new(by, "m", 7), "at 12.5 deg");
+            let value = |by: f64| Cell::with_note(Value::new(by, "m", 7), "at 12.5 deg");
             vec![
                 name.into(),
                 value(0.0123),
@@ -283,7 +283,7 @@ mod tests {
         let heads = ["name", ">least", ">greatest", ">mean", ">last"];
         let section = Section::new("Sizes").table(Table::new(heads).rows(rows));
         let figures = vec![
-            Figure::number("speed", 400.0, "rad/s", 6).with("= 3819.72 rpm"),
+            Figure::number("speed", 400.0, "rad/s", 6).with_note("= 3819.72 rpm"),
             Figure::new("state", "rests"),
         ];
         Findings {

@@ -8,7 +8,7 @@ use crate::report::quantity::significant;
 use crate::studies::forces::{Column, MasslessComparison, NEGLIGIBLE};
 
 /// The greatest derivative of the driving force by each coefficient and mass.
-pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+pub(super) fn sensitivities_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let study = report.study;
     let all = study.columns();
     let greatest = |column: &Column| {
@@ -22,15 +22,15 @@ pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         let (index, by) = greatest(column).filter(|(_, by)| *by != 0.0)?;
         let mut endless = study.unbounded.iter();
         if let Some((_, at)) = endless.find(|(known, _)| *known == column.name) {
-            let place = format!("→ {}", report.place(*at));
-            let unbounded = Cell::with("unbounded", place);
+            let place = format!("→ {}", report.place_text(*at));
+            let unbounded = Cell::with_note("unbounded", place);
             return Some(vec![cause(name), unbounded, "unbounded".into()]);
         }
-        let place = report.place(study.course.parameter(index));
+        let place = report.place_text(study.course.parameter(index));
         let chi = format!("chi_by.{name}");
         let chi = all.iter().find(|other| other.name == chi);
         let chi = chi.and_then(|chi| Some(value(greatest(chi)?.1, &chi.unit)));
-        let by = Cell::with(value(by, &column.unit), format!("at {place}"));
+        let by = Cell::with_note(value(by, &column.unit), format!("at {place}"));
         Some(vec![cause(name), by, chi.unwrap_or("".into()).into()])
     };
     let drive = format!(">of the {}", driving(study.drive_unit()));
@@ -38,7 +38,7 @@ pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         .table(Table::new(["by", &drive, ">of χ"]).rows(all.iter().filter_map(row)))
 }
 
-pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+pub(super) fn massless_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let (Some(found), Some(chart)) = (report.massless, massless_chart(report)) else {
         return Section::default();
     };
@@ -67,7 +67,7 @@ pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         .figures(figures)
         .charts(WIDE, "", vec![chart])
         .table(table)
-        .words(verdict(found))
+        .with_paragraph(verdict(found))
 }
 
 /// m·ω²/P with its unit, kg·(rad/s)²/N = 1/m for an input that turns.

@@ -10,7 +10,7 @@ use crate::report::verdict::capitalised;
 use crate::studies::forces::{Column, ForceStudy, Forces};
 
 /// All curves over the course.
-pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
+pub(super) fn chart_sections<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
     let (study, linkage) = (report.study, &report.study.linkage);
     let all = study.columns();
     let chart = |title: &str, names: Vec<(String, &str)>| over_course(report, &all, title, &names);
@@ -54,7 +54,7 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
         chart("Change by masses", by_mass.collect()),
     ];
     vec![
-        section(&heading(study, &all), drive(study, &all, &chart)),
+        section(&heading(study, &all), driving_charts(study, &all, &chart)),
         section("Reactions", reactions),
         section("The frame", frame),
         section(
@@ -90,7 +90,7 @@ fn heading(study: &ForceStudy, all: &[Column]) -> String {
 }
 
 /// Driving forces, powers, efficiency and the dynamic transmission ratio.
-fn drive(study: &ForceStudy, all: &[Column], chart: &Chart<'_>) -> Vec<Plot> {
+fn driving_charts(study: &ForceStudy, all: &[Column], chart: &Chart<'_>) -> Vec<Plot> {
     let one = |title: &str, name: &str| chart(title, vec![(name.to_owned(), "")]);
     let mut charts = Vec::new();
     match &study.several {

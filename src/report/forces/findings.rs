@@ -1,13 +1,13 @@
 //! What the forces of a linkage come to.
 
-use super::changes::{massless, sensitivities};
-use super::charts::{groups, ratio_chart};
-use super::reactions::reactions;
+use super::changes::{massless_section, sensitivities_section};
+use super::charts::{chart_sections, ratio_chart};
+use super::reactions::reactions_section;
 use super::words::{driving, quantity_words};
 use super::{ForcesReport, WIDE, drawing, inputs, value};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
-use crate::report::csv::{Field, Rows, head};
-use crate::report::findings::table::judged;
+use crate::report::csv::{Field, Rows, column_heading};
+use crate::report::findings::table::check_outcome;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table};
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{DIGITS, counted, significant};
@@ -26,7 +26,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
     let study = report.study;
     let (positions, motion) = match (study.rows.as_slice(), report.is_of_one_position()) {
         ([row], true) => (
-            format!("at {}", report.place(row.motion.coordinate)),
+            format!("at {}", report.place_text(row.motion.coordinate)),
             report.motion.replace(" at every position", ""),
         ),
         (rows, _) => (counted(rows.len(), "position"), report.motion.to_owned()),
@@ -55,25 +55,25 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
     let ratio = ratio.into_iter().collect();
     let mut sections = vec![
         mechanism,
-        zones(report),
-        reactions(report),
-        open(study),
-        Section::new(course(report)).figures(figures(report)),
+        zones_section(report),
+        reactions_section(report),
+        section_of_indeterminate(study),
+        Section::new(course_phrase(report)).figures(figures(report)),
         Section::new("Transmission").charts(WIDE, "", ratio),
-        massless(report),
+        massless_section(report),
     ];
     // (Nothing changes over one position.)
     if report.is_of_one_position() {
-        sections.push(sensitivities(report));
-        sections.push(Section::new("All results").table(at_one_position(report)));
+        sections.push(sensitivities_section(report));
+        sections.push(Section::new("All results").table(at_one_position_table(report)));
     } else {
         let legend = "The tip of each force over the course; the dot is the first position.";
         let hodographs = hodographs(study);
         let section = Section::new("Hodographs").legend(legend);
         sections.push(section.charts(Layout::Round, "", hodographs));
-        sections.extend(groups(report));
-        sections.push(sensitivities(report));
-        sections.push(Section::new("Extremes").table(extremes(report)));
+        sections.extend(chart_sections(report));
+        sections.push(sensitivities_section(report));
+        sections.push(Section::new("Extremes").table(extremes_table(report)));
     }
     Findings {
         title: report.name.to_owned(),
@@ -126,7 +126,7 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
     let (of, solved) = (study.rows.len(), study.solved().count());
     let without = format!("{} of {of} positions have no forces", of - solved);
     let checks = study.checks();
-    let closes = checks.first().map_or(String::new(), judged);
+    let closes = checks.first().map_or(String::new(), check_outcome);
     let text = match solved {
         0 => without,
         _ if solved == of => format!("The balance of power closes to {closes}"),
@@ -137,7 +137,7 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         Judgement::NotToBeTrusted => Sentence::from("Not to be trusted. ").sentence(headline),
         Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => headline,
     };
-    Verdict::judged(judgement, headline, text + ".")
+    Verdict::of_judgement(judgement, headline, text + ".")
 }
 
 fn hodographs(study: &ForceStudy) -> Vec<Plot> {
@@ -159,10 +159,10 @@ fn hodographs(study: &ForceStudy) -> Vec<Plot> {
     told.map(chart).collect()
 }
 
-fn zones<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+fn zones_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let zones = report.study.zones.iter();
     let rows = zones.map(|zone| {
-        let [from, to] = [zone.from, zone.to].map(|at| report.place(at));
+        let [from, to] = [zone.from, zone.to].map(|at| report.place_text(at));
         vec![from, to, report.zone(zone)]
     });
     let table = Table::new([">from", ">to", "what"]).rows(rows);
@@ -175,7 +175,7 @@ fn zones<'a>(report: &ForcesReport<'_>) -> Section<'a> {
 }
 
 /// What rigid links leave open, and why.
-fn open<'a>(study: &ForceStudy) -> Section<'a> {
+fn section_of_indeterminate<'a>(study: &ForceStudy) -> Section<'a> {
     let names = study.open_names();
     if names.is_empty() {
         return Section::default();
@@ -188,10 +188,10 @@ fn open<'a>(study: &ForceStudy) -> Section<'a> {
         redundant.join("; "),
         names.join(", ")
     );
-    Section::new("Statically indeterminate").words(words)
+    Section::new("Statically indeterminate").with_paragraph(words)
 }
 
-fn course(report: &ForcesReport<'_>) -> String {
+fn course_phrase(report: &ForcesReport<'_>) -> String {
     match &report.study.cycle {
         Some(cycle) => {
             let over = value(cycle.duration, "s").words();
@@ -241,7 +241,7 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
     } else if let Some(found) = &study.counterweight {
         let [before, after] = found.greatest;
         let note = format!("rms {}", value(found.rms[0], "N").words());
-        figures.push(Figure::new("greatest shaking force", value(before, "N")).with(note));
+        figures.push(Figure::new("greatest shaking force", value(before, "N")).with_note(note));
         let note = format!(
             "rms {}, with a counterweight of {} at {} deg in the frame of `{}`",
             value(found.rms[1], "N").words(),
@@ -249,14 +249,14 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
             significant(found.angle.to_degrees(), DIGITS),
             study.linkage.links[found.link].name
         );
-        figures.push(Figure::new("… counterweighted", value(after, "N")).with(note));
+        figures.push(Figure::new("… counterweighted", value(after, "N")).with_note(note));
     }
     figures.extend(study.checks().iter().map(Figure::check));
     figures
 }
 
 /// The results of a single position.
-fn at_one_position(report: &ForcesReport<'_>) -> Table {
+fn at_one_position_table(report: &ForcesReport<'_>) -> Table {
     let inputs = inputs(report.study);
     let rows = report.study.extremes.iter().map(|found| {
         let known = match found.least.value.is_finite() {
@@ -269,14 +269,14 @@ fn at_one_position(report: &ForcesReport<'_>) -> Table {
     Table::new(["quantity", ">value"]).rows(rows)
 }
 
-fn extremes(report: &ForcesReport<'_>) -> Table {
+fn extremes_table(report: &ForcesReport<'_>) -> Table {
     let inputs = inputs(report.study);
     let rows = report.study.extremes.iter().map(|found| {
         let cell = |end: &Extreme| {
-            let place = report.place(end.at);
+            let place = report.place_text(end.at);
             match end.value.is_finite() {
-                true => Cell::with(value(end.value, &found.unit), format!("at {place}")),
-                false => Cell::with("unbounded", format!("→ {place}")),
+                true => Cell::with_note(value(end.value, &found.unit), format!("at {place}")),
+                false => Cell::with_note("unbounded", format!("→ {place}")),
             }
         };
         let words = quantity_words(&found.name, &found.unit, &inputs);
@@ -302,7 +302,7 @@ pub fn rows(study: &ForceStudy) -> Rows {
             true => " (statically indeterminate)",
             false => "",
         };
-        head(&name, &column.unit) + open
+        column_heading(&name, &column.unit) + open
     });
     let time = timed.then(|| "time [s]".to_owned());
     let coordinate = match study.several.as_ref().map(|several| several.axis) {

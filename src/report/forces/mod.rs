@@ -71,7 +71,7 @@ impl ForcesReport<'_> {
     }
 
     /// A place on the course for reading.
-    fn place(&self, at: f64) -> String {
+    fn place_text(&self, at: f64) -> String {
         let axis = self.axis();
         let place = format!("{} {}", significant(axis.in_unit(at), 6), axis.unit());
         place.trim_end().to_owned()
@@ -83,7 +83,7 @@ impl ForcesReport<'_> {
     fn zone(&self, zone: &Zone) -> String {
         let ends = [zone.from, zone.to].into_iter().zip(zone.unbounded);
         let ends = ends.filter(|(_, unbounded)| *unbounded);
-        let mut places: Vec<String> = ends.map(|(at, _)| self.place(at)).collect();
+        let mut places: Vec<String> = ends.map(|(at, _)| self.place_text(at)).collect();
         places.dedup();
         match places.is_empty() {
             true => zone.kind.words().to_owned(),

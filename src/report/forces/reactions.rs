@@ -13,7 +13,7 @@ const ABREAST: usize = 4;
 type Joint = (String, [usize; 2]);
 
 /// A table of joints over positions, if these are few.
-pub(super) fn reactions<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+pub(super) fn reactions_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let study = report.study;
     if study.rows.len() > MOST_POSITIONS || study.solved().next().is_none() {
         return Section::default();
@@ -48,7 +48,7 @@ fn table(report: &ForcesReport<'_>, joints: &[Joint]) -> Table {
             let [size, direction] = own.map(|column| columns[column].value(row));
             force(size, direction)
         });
-        let place = Cell::from(report.place(row.motion.coordinate));
+        let place = Cell::from(report.place_text(row.motion.coordinate));
         std::iter::once(place).chain(cells).collect::<Vec<Cell>>()
     });
     Table::new(heads.iter().map(String::as_str)).rows(rows)
@@ -59,7 +59,7 @@ fn force(size: Option<f64>, direction: Option<f64>) -> Cell {
     match (size, direction) {
         (Some(force), Some(angle)) => {
             let degrees = significant(angle.to_degrees(), 4);
-            Cell::with(value(force, "N"), format!("{degrees} deg"))
+            Cell::with_note(value(force, "N"), format!("{degrees} deg"))
         }
         (Some(force), None) => Cell::from(value(force, "N")),
         (None, _) => Cell::from("–"),

@@ -12,7 +12,7 @@ use crate::report::diagram::Diagram;
 use crate::report::display_units;
 use crate::report::mechanism;
 use crate::report::plot::{Plots, page::SCRIPT, palette};
-use crate::report::quantity::{escape, scale, significant};
+use crate::report::quantity::{escape, readable_scale, significant};
 use crate::report::sentence::Sentence;
 use crate::report::svg::graph;
 use crate::report::symbols::{Setting, symbols};
@@ -84,7 +84,7 @@ pub(in crate::report) fn verdict_banner(verdict: &Verdict) -> String {
     format!(
         "<p class=\"verdict {class}\"><span class=\"sort\">{sort}</span><b>{}</b> {}</p>\n",
         verdict.headline.html(),
-        verdict.said().html()
+        verdict.following_sentence().html()
     )
 }
 
@@ -110,7 +110,7 @@ pub(in crate::report) fn mechanism(diagram: &Diagram, plots: &Plots) -> String {
         "<h2>Mechanism</h2>\n<div class=\"graph scroll\">\n{}</div>\n\
          <p class=\"soft\">Solid arrows carry the motion φ, φ̇ to what is driven; dashed ones \
          bring the force Ω back to the driver.</p>\n",
-        graph::linked(diagram, plots)
+        graph::diagram_with_links(diagram, plots)
     )
 }
 
@@ -136,15 +136,16 @@ pub(in crate::report) fn scene(text: &str) -> String {
 }
 
 /// A list of names and texts.
-pub(in crate::report) fn facts(rows: &[(&str, String)]) -> String {
+pub(in crate::report) fn definition_list(rows: &[(&str, String)]) -> String {
     let row = |(name, text): &(&str, String)| ((*name).to_owned(), escape(text));
     fact_list(&rows.iter().map(row).collect::<Vec<_>>())
 }
 
 /// A list of names, and texts that are HTML already.
 pub(in crate::report) fn fact_list(rows: &[(String, String)]) -> String {
-    let row =
-        |(name, text): &(String, String)| format!("<dt>{}</dt><dd>{text}</dd>\n", named(name));
+    let row = |(name, text): &(String, String)| {
+        format!("<dt>{}</dt><dd>{text}</dd>\n", name_with_symbols(name))
+    };
     format!(
         "<dl class=\"facts\">\n{}</dl>\n",
         rows.iter().map(row).collect::<String>()
@@ -152,7 +153,7 @@ pub(in crate::report) fn fact_list(rows: &[(String, String)]) -> String {
 }
 
 /// A name with its symbols; no line ends within |δ|.
-pub(in crate::report) fn named(name: &str) -> String {
+pub(in crate::report) fn name_with_symbols(name: &str) -> String {
     symbols(&escape(name), Setting::Page).replace("|δ|", "<span class=\"nobr\">|δ|</span>")
 }
 
@@ -161,7 +162,7 @@ pub(in crate::report) fn number(value: f64, unit: &str, digits: usize) -> String
     if value.is_nan() {
         return significant(value, digits);
     }
-    let shown = scale(value, unit);
+    let shown = readable_scale(value, unit);
     let joint = match &shown.unit {
         unit if unit.is_empty() => "",
         unit if unit.starts_with("10") => "·",

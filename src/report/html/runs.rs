@@ -55,7 +55,7 @@ pub fn chart(
     let bands = runs.iter().enumerate().map(|(run, one)| {
         let band = Band {
             label: String::new(),
-            spans: open(one.record, object, most_spans(runs)).spans,
+            spans: open_intervals(one.record, object, most_spans(runs)).spans,
             series: (runs.len() > 1).then_some(run),
         };
         one.over.band(one.record, band)
@@ -151,7 +151,7 @@ struct Open {
 }
 
 /// The first intervals, at most so many, in which the pair of an object is open.
-fn open(record: &Record, object: &str, most: usize) -> Open {
+fn open_intervals(record: &Record, object: &str, most: usize) -> Open {
     let mut open = Open::default();
     for one in record.separations.iter().filter(|one| one.object == object) {
         open.all += 1;
@@ -166,7 +166,7 @@ fn open(record: &Record, object: &str, most: usize) -> Open {
 fn unshaded(runs: &[RunSeries<'_>], object: &str) -> String {
     let most = most_spans(runs);
     let note = |run: &RunSeries<'_>| {
-        let open = open(run.record, object, most);
+        let open = open_intervals(run.record, object, most);
         let until = open.spans.last().filter(|_| open.all > open.spans.len())?[1];
         let label = match run.label.as_str() {
             "" => String::new(),
@@ -246,7 +246,7 @@ impl ObjectCharts {
     }
 
     /// Size of each chart as long as nothing scales it.
-    pub(in crate::report) fn size(&self) -> [f64; 2] {
+    pub(in crate::report) fn chart_size(&self) -> [f64; 2] {
         if self.is_single() { SEVERAL } else { ONE }
     }
 
@@ -257,7 +257,7 @@ impl ObjectCharts {
 
     /// What the section shows besides numbers: two that are alike here differ in numbers alone.
     #[cfg(feature = "live")]
-    pub(in crate::report) fn likeness(&self) -> String {
+    pub(in crate::report) fn text_without_numbers(&self) -> String {
         let chart = |plot: &Plot| {
             let series = plot
                 .series
@@ -279,7 +279,7 @@ impl ObjectCharts {
     pub(in crate::report) fn html(&self, plots: &mut Plots) -> String {
         let shaded = self.charts.iter().any(|chart| !chart.bands.is_empty());
         let figures: String = (self.charts.iter())
-            .map(|chart| plots.figure(chart, self.size(), &self.link()))
+            .map(|chart| plots.figure(chart, self.chart_size(), &self.link()))
             .collect();
         // The studio lets no style stand in its page, and has rows of its own.
         let rows = match plots.is_live() {
@@ -330,7 +330,7 @@ pub fn difference(
     let (base, others) = runs.split_last()?;
     let unit = base.record.column(object, quantity)?.unit;
     let series = others.iter().enumerate().filter_map(|(run, one)| {
-        let curve = apart(one, base, object, quantity)?;
+        let curve = difference_of_runs(one, base, object, quantity)?;
         Some(Series {
             style: Some(run),
             ..Series::line(&one.label, curve)
@@ -354,7 +354,7 @@ const SAME_ANGLE: f64 = 1e-9;
 
 /// A quantity of a run less that of another over places that both have; `None`: there are less
 /// than two, or they do not differ.
-fn apart(
+fn difference_of_runs(
     run: &RunSeries<'_>,
     base: &RunSeries<'_>,
     object: &str,

@@ -39,7 +39,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         "axis": found.axis,
         "strokes": strokes(found),
         "transmission_angles": transmission(found),
-        "equilibria": equilibria(found),
+        "equilibria": equilibria_json(found),
         "stopped": found.stopped,
         "checks": found.checks(),
         "warnings": found.warnings,
@@ -101,7 +101,7 @@ fn transmission(found: &Kinematics) -> Vec<Value> {
     angles.collect()
 }
 
-fn equilibria(found: &Kinematics) -> Vec<Value> {
+fn equilibria_json(found: &Kinematics) -> Vec<Value> {
     let equilibria = found.equilibria.iter().map(|rest| {
         json!({
             "input": rest.at,

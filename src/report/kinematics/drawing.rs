@@ -126,7 +126,9 @@ fn points<'a>(found: &'a Kinematics) -> Vec<MovingPoint<'a>> {
             continue;
         };
         let values = [column, y, vx, vy, ax, ay].map(|column| column.values.as_slice());
-        let moves = values[..2].iter().any(|values| spread(values) > 0.0);
+        let moves = values[..2]
+            .iter()
+            .any(|values| range_of_values(values) > 0.0);
         let twice = points
             .iter()
             .any(|other: &MovingPoint<'_>| same_path(other, values[0], values[1]));
@@ -138,7 +140,7 @@ fn points<'a>(found: &'a Kinematics) -> Vec<MovingPoint<'a>> {
 }
 
 /// Greatest less least, 0 where that is rounding.
-fn spread(values: &[f64]) -> f64 {
+fn range_of_values(values: &[f64]) -> f64 {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let size = least.abs().max(most.abs());

@@ -1,6 +1,6 @@
 //! What the kinematics of a linkage comes to.
 
-use super::{drawing, input, input_sentence, multi_input, place, plots};
+use super::{drawing, input, input_sentence, multi_input, place_text, plots};
 use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
@@ -18,19 +18,19 @@ const SHOWN: f64 = 1e-8;
 /// Structure, drawing, strokes, transmission angles, charts, equilibria, extremes.
 pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> Findings<'a> {
     let ends = [found.axis.values.first(), found.axis.values.last()];
-    let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place(found, at)));
+    let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place_text(found, at)));
     let mut sections = vec![
         Section::new("The mechanism moving").drawing(move |_| drawing(found).section("mechanism")),
-        multi_input::machine(found),
-        structure(found),
-        multi_input::singular(found),
-        Section::new("Strokes").table(strokes(found)),
-        transmission(found),
+        multi_input::machine_section(found),
+        structure_section(found),
+        multi_input::singular_section(found),
+        Section::new("Strokes").table(strokes_table(found)),
+        transmission_section(found),
     ];
-    sections.extend(plots::groups(found));
-    sections.push(equilibria(found));
+    sections.extend(plots::plot_sections(found));
+    sections.push(equilibria_section(found));
     sections.push(
-        Section::new("Extremes").item(Item::Folded("all quantities".into(), extremes(found))),
+        Section::new("Extremes").item(Item::Folded("all quantities".into(), extremes_table(found))),
     );
     sections.retain(|section| !section.is_empty());
     Findings {
@@ -58,7 +58,7 @@ fn answer(found: &Kinematics) -> Verdict {
         let text = Sentence::from("Input ")
             .sentence(input_sentence(found, stop.input))
             .words(format!(": {}", stop.cause));
-        return Verdict::judged(found.judgement(), headline, text);
+        return Verdict::of_judgement(found.judgement(), headline, text);
     }
     let stroke = |stroke: &Stroke| {
         let size = stroke.ends[1].1 - stroke.ends[0].1;
@@ -93,7 +93,7 @@ fn answer(found: &Kinematics) -> Verdict {
         (true, Some(least)) => (least, through.into()),
         (true, None) => (Sentence::from(through), text),
     };
-    Verdict::judged(found.judgement(), headline, text)
+    Verdict::of_judgement(found.judgement(), headline, text)
 }
 
 /// What makes a stroke, in words: an output by its name, a block as that of its joint.
@@ -107,10 +107,10 @@ fn least_transmission(found: &Kinematics) -> Option<Sentence> {
     let least = found.transmission.iter().map(|angle| angle.least);
     let (at, angle) = least.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let least = Sentence::from("Least transmission angle ").angle_or(angle, "rad", DIGITS);
-    Some(least.words(format!(" at {}.", place(found, at))))
+    Some(least.words(format!(" at {}.", place_text(found, at))))
 }
 
-fn structure<'a>(found: &Kinematics) -> Section<'a> {
+fn structure_section<'a>(found: &Kinematics) -> Section<'a> {
     let structure = found.linkage.structure();
     let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
     let reach = match &found.linkage {
@@ -121,21 +121,21 @@ fn structure<'a>(found: &Kinematics) -> Section<'a> {
         AnyLinkage::Several(linkage) => multi_input::inputs(found, linkage),
     };
     Section::new("Structure")
-        .words(structure.explanation.clone())
+        .with_paragraph(structure.explanation.clone())
         .item(Item::Notes(groups.collect()))
-        .words(reach)
+        .with_paragraph(reach)
 }
 
 /// A value and where it is.
 fn end((at, value): (f64, f64), unit: &str, place: impl Fn(f64) -> String) -> Cell {
     if value.is_infinite() {
-        return Cell::with("unbounded", format!("→ {}", place(at)));
+        return Cell::with_note("unbounded", format!("→ {}", place(at)));
     }
     let value = Value::angle_or(value, unit, DIGITS);
-    Cell::with(value, format!("at {}", place(at)))
+    Cell::with_note(value, format!("at {}", place(at)))
 }
 
-fn strokes(found: &Kinematics) -> Table {
+fn strokes_table(found: &Kinematics) -> Table {
     let rows = found.strokes.iter().map(|stroke| {
         let [low, high] = stroke.ends;
         let cell = |at: (f64, f64)| end(at, stroke.unit, |at| input(found, at));
@@ -163,9 +163,9 @@ fn strokes(found: &Kinematics) -> Table {
     .rows(rows)
 }
 
-fn transmission<'a>(found: &Kinematics) -> Section<'a> {
+fn transmission_section<'a>(found: &Kinematics) -> Section<'a> {
     let rows = found.transmission.iter().map(|angle| {
-        let cell = |at: (f64, f64)| end(at, "rad", |at| place(found, at));
+        let cell = |at: (f64, f64)| end(at, "rad", |at| place_text(found, at));
         vec![
             angle.owner.as_str().into(),
             cell(angle.least),
@@ -178,11 +178,11 @@ fn transmission<'a>(found: &Kinematics) -> Section<'a> {
         true => section,
         false => section
             .table(table)
-            .words("90 deg is best; at 0 the pushed link is in a dead-centre position."),
+            .with_paragraph("90 deg is best; at 0 the pushed link is in a dead-centre position."),
     }
 }
 
-fn equilibria<'a>(found: &Kinematics) -> Section<'a> {
+fn equilibria_section<'a>(found: &Kinematics) -> Section<'a> {
     let rests = found.equilibria.iter();
     let rests = rests.map(|rest| Figure::new(&input(found, rest.at), behaviour(rest)));
     let figures: Vec<Figure> = rests.collect();
@@ -191,7 +191,7 @@ fn equilibria<'a>(found: &Kinematics) -> Section<'a> {
         true => section,
         false => section
             .figures(figures)
-            .words("The linkage alone, its input free and nothing on its outputs."),
+            .with_paragraph("The linkage alone, its input free and nothing on its outputs."),
     }
 }
 
@@ -218,9 +218,9 @@ fn behaviour(rest: &Equilibrium) -> String {
     }
 }
 
-fn extremes(found: &Kinematics) -> Table {
+fn extremes_table(found: &Kinematics) -> Table {
     let row = |(column, extremes): (&Column, &Extremes)| {
-        let cell = |at: (f64, f64)| end(at, &column.unit, |at| place(found, at));
+        let cell = |at: (f64, f64)| end(at, &column.unit, |at| place_text(found, at));
         let size = extremes.least.1.abs().max(extremes.greatest.1.abs());
         let doubt = match (column.undetermined, column.error > SHOWN * size.max(1.0)) {
             (0, false) => String::new(),

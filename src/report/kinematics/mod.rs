@@ -26,7 +26,7 @@ fn axis(found: &Kinematics) -> CourseAxis {
 }
 
 /// A place on the axis for reading: angles in degrees.
-fn place(found: &Kinematics, at: f64) -> String {
+fn place_text(found: &Kinematics, at: f64) -> String {
     Value::angle_or(at, found.axis.unit, 6).words()
 }
 

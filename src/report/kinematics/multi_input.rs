@@ -24,7 +24,7 @@ pub(super) fn inputs(found: &Kinematics, linkage: &MultiLinkage) -> String {
 }
 
 /// The machine over the ranges of its inputs, with a slider for each.
-pub(super) fn machine<'a>(found: &'a Kinematics) -> Section<'a> {
+pub(super) fn machine_section<'a>(found: &'a Kinematics) -> Section<'a> {
     match found.grid {
         Some(_) => Section::new("Positions over the inputs")
             .drawing(move |_| over_inputs(found).unwrap_or_default()),
@@ -36,8 +36,11 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
     let grid = found.grid.as_ref()?;
     let axes = grid.axes.iter().map(|(name, own, values)| GridAxis {
         name: name.clone(),
-        unit: own.shown(0.0).1.to_owned(),
-        values: values.iter().map(|&value| own.shown(value).0).collect(),
+        unit: own.displacement_for_reading(0.0).1.to_owned(),
+        values: values
+            .iter()
+            .map(|&value| own.displacement_for_reading(value).0)
+            .collect(),
     });
     let drawing = Drawing {
         spec: found.linkage.spec(),
@@ -50,7 +53,7 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
 }
 
 /// The singular positions: curves in the plane of two inputs.
-pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
+pub(super) fn singular_section<'a>(found: &Kinematics) -> Section<'a> {
     let Some(plane) = &found.plane else {
         return Section::default();
     };
@@ -66,7 +69,7 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
     );
     let section = Section::new("Singular positions");
     if plane.curves.is_empty() {
-        return section.words(format!("None is seen over {looked}."));
+        return section.with_paragraph(format!("None is seen over {looked}."));
     }
     let end = |input: &PlaneInput, curve: &SingularCurve, k: usize| {
         let values = || curve.points.iter().map(|point| point[k]);
@@ -89,7 +92,7 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
     let table = Table::new(["group", "curve", ">points", &names[0], &names[1]]).rows(rows);
     section
         .table(table)
-        .words(format!(
+        .with_paragraph(format!(
             "On these curves the determinant of a group vanishes: speeds and forces grow without \
              bound. Ranges are those of the points; between them a curve goes a little further. \
              Examined: {looked}."
@@ -99,7 +102,12 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
 
 fn chart(found: &Kinematics, plane: &Plane) -> Plot {
     let [one, other] = &plane.inputs;
-    let point = |&[x, y]: &[f64; 2]| (one.coordinate.shown(x).0, other.coordinate.shown(y).0);
+    let point = |&[x, y]: &[f64; 2]| {
+        (
+            one.coordinate.displacement_for_reading(x).0,
+            other.coordinate.displacement_for_reading(y).0,
+        )
+    };
     let mut groups: Vec<usize> = plane.curves.iter().map(|curve| curve.group).collect();
     groups.sort_unstable();
     groups.dedup();
@@ -119,8 +127,15 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
     let path = plane.path.iter().map(point);
     series.push(Series::theory("path of the inputs", path.collect()));
     let axis = |input: &PlaneInput| Axis {
-        range: Some(input.range.map(|value| input.coordinate.shown(value).0)),
-        ..Axis::new(&input.name, input.coordinate.shown(0.0).1)
+        range: Some(
+            input
+                .range
+                .map(|value| input.coordinate.displacement_for_reading(value).0),
+        ),
+        ..Axis::new(
+            &input.name,
+            input.coordinate.displacement_for_reading(0.0).1,
+        )
     };
     Plot {
         id: "singular".to_owned(),

@@ -7,7 +7,7 @@ use crate::report::plot::{Plot, Rule, Series, framed};
 use crate::studies::kinematics::{Column, Kinematics, Quantity};
 
 /// The plots: links, points, sliding pairs, outputs.
-pub(super) fn groups<'a>(found: &Kinematics) -> Vec<Section<'a>> {
+pub(super) fn plot_sections<'a>(found: &Kinematics) -> Vec<Section<'a>> {
     use Quantity as Q;
     let links: Vec<String> = names(&found.linkage.spec().links, |link| {
         format!("links.{}", link.name)

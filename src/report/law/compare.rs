@@ -25,7 +25,7 @@ pub fn comparison_findings<'a>(
             " Some runs failed their own check: see the results.",
         ),
     };
-    let best = match best(laws, by).as_slice() {
+    let best = match best_laws(laws, by).as_slice() {
         [] => "none".to_owned(),
         best => names_in_words(&best.join(", ")),
     };
@@ -40,7 +40,7 @@ pub fn comparison_findings<'a>(
             Section::new("Diagrams").charts(Layout::Wide(440.0), "law", vec![chart(laws)]),
             Section::new("Results, and places among the laws")
                 .table(table(laws, by))
-                .item(Item::Notes(others(laws, by))),
+                .item(Item::Notes(other_criteria(laws, by))),
         ],
         source,
     }
@@ -81,14 +81,14 @@ fn cell(figure: Figure, laws: &[ComparedLaw], index: usize) -> Cell {
         _ => value,
     };
     let place = figure.ranks(laws)[index];
-    Cell::with(
+    Cell::with_note(
         value,
         place.map_or(String::new(), |place| format!("({place})")),
     )
 }
 
 /// The laws with the first place by a figure.
-fn best(laws: &[ComparedLaw], figure: Figure) -> Vec<&str> {
+fn best_laws(laws: &[ComparedLaw], figure: Figure) -> Vec<&str> {
     let places = figure.ranks(laws);
     let winners = laws.iter().zip(&places);
     let winners = winners.filter(|(_, place)| **place == Some(1));
@@ -96,11 +96,11 @@ fn best(laws: &[ComparedLaw], figure: Figure) -> Vec<&str> {
 }
 
 /// The constants that would have chosen another law.
-fn others(laws: &[ComparedLaw], by: Figure) -> Vec<String> {
-    let chosen = best(laws, by);
+fn other_criteria(laws: &[ComparedLaw], by: Figure) -> Vec<String> {
+    let chosen = best_laws(laws, by);
     let constants = Figure::ALL.into_iter().filter(|one| one.is_constant());
     let misleading = constants.filter_map(|figure| {
-        let named = best(laws, figure);
+        let named = best_laws(laws, figure);
         let other = !named.is_empty() && !named.iter().any(|name| chosen.contains(name));
         let list = names_in_words(&named.join(", "));
         other.then(|| format!("by {} alone it would have been: {list}", figure.words()))

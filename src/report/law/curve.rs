@@ -3,7 +3,7 @@
 use crate::kinematics::motion::law::{Law, LawConstants};
 use crate::math::jet::Jet;
 use crate::report::course::samples;
-use crate::report::csv::{Rows, head};
+use crate::report::csv::{Rows, column_heading};
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, MotionPhase, Plot, Series};
 use crate::report::quantity::significant;
@@ -34,7 +34,7 @@ const PRIMES: [&str; 4] = ["", "′", "″", "‴"];
 /// What the value and its derivatives are, each before its symbol.
 const NAMES: [&str; 4] = ["displacement", "speed", "acceleration", "jerk"];
 
-fn parts(jet: &Jet) -> [f64; 4] {
+fn derivatives_list(jet: &Jet) -> [f64; 4] {
     [jet.value, jet.first, jet.second, jet.third]
 }
 
@@ -70,7 +70,7 @@ impl<'a> Curve<'a> {
 
     fn points(&self, order: usize, size: f64) -> Vec<(f64, f64)> {
         let rows = self.rows.iter();
-        rows.map(|(x, jet)| (self.chart_argument(*x), parts(jet)[order] / size))
+        rows.map(|(x, jet)| (self.chart_argument(*x), derivatives_list(jet)[order] / size))
             .collect()
     }
 
@@ -147,10 +147,10 @@ pub(super) fn rows(
             0 => value.to_owned(),
             order => format!("{value}{order}"),
         };
-        head(&name, &unit(order, own, per, ["", "", "^2", "^3"]))
+        column_heading(&name, &unit(order, own, per, ["", "", "^2", "^3"]))
     };
-    let first = std::iter::once(head(argument, per));
-    let row = |(at, jet): &(f64, Jet)| std::iter::once(*at).chain(parts(jet));
+    let first = std::iter::once(column_heading(argument, per));
+    let row = |(at, jet): &(f64, Jet)| std::iter::once(*at).chain(derivatives_list(jet));
     Rows::new(first.chain((0..4).map(derivative)), rows.iter().map(row))
 }
 

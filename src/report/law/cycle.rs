@@ -29,7 +29,7 @@ pub fn cycle_findings<'a>(
     let headline = format!("Greatest acceleration |U″| = {greatest}.");
     let peak = |name: &str, peak: Peak, unit: String| {
         let at = Value::angle_or(peak.at, driver, 8).words();
-        Figure::number(name, peak.value, &unit, 8).with(format!("at {at}"))
+        Figure::number(name, peak.value, &unit, 8).with_note(format!("at {at}"))
     };
     let per = |power: &str| format!("{unit}/{driver}{power}");
     let extremes = vec![
@@ -90,7 +90,7 @@ fn sizes(found: &CycleFigures) -> [f64; 2] {
 }
 
 /// One cycle: `count` equal steps, and both sides of every joint.
-fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
+fn sample_cycle(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
     let breaks = position.breaks();
     let (Some(period), Some(&first)) = (breaks.period, breaks.points.first()) else {
         return Vec::new();
@@ -103,7 +103,7 @@ fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
 
 /// U and its derivatives over one cycle, both sides of every joint.
 pub fn cycle_rows(position: &Position, lever: f64, units: [&str; 2], count: usize) -> Rows {
-    rows(["phi", "U"], units, &sampled(position, lever, count))
+    rows(["phi", "U"], units, &sample_cycle(position, lever, count))
 }
 
 fn curve<'a>(
@@ -112,7 +112,7 @@ fn curve<'a>(
     found: &CycleFigures,
     [unit, driver]: [&'a str; 2],
 ) -> Curve<'a> {
-    let rows = sampled(position, lever, 2 * DIAGRAM_POINTS);
+    let rows = sample_cycle(position, lever, 2 * DIAGRAM_POINTS);
     let strokes = rows.iter().map(|row| row.1.value.abs());
     let stroke = strokes.fold(0.0, f64::max);
     let [speed, acceleration] = sizes(found);

@@ -135,7 +135,7 @@ pub fn law_findings(row: &LawRow, law: &Law) -> Findings<'static> {
     };
     let peak = |name: &str, peak: Peak| {
         let at = result(peak.at, 8);
-        Figure::number(name, peak.value, "", 10).with(format!("at τ = {at}"))
+        Figure::number(name, peak.value, "", 10).with_note(format!("at τ = {at}"))
     };
     let plain = |name: &str, value: f64| Figure::number(name, value, "", 10);
     let mut figures = vec![

@@ -111,7 +111,7 @@ fn figures(stroke: &Stroke, unit: &str) -> Vec<Figure> {
 }
 
 /// Samples over the span with both sides of the ends of the sections.
-fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
+fn sample_stroke(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
     let figures = stroke.figures();
     let count = count.max(1);
     let steps = (0..=count).map(|i| figures.span * i as f64 / count as f64);
@@ -134,12 +134,12 @@ fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
 
 /// Π and its derivatives: `count` equal steps, both sides of every jump.
 pub fn stroke_rows(stroke: &Stroke, unit: &str, count: usize) -> Rows {
-    rows(["phi", "Pi"], [unit, "rad"], &sampled(stroke, count))
+    rows(["phi", "Pi"], [unit, "rad"], &sample_stroke(stroke, count))
 }
 
 fn curve<'a>(stroke: &Stroke, unit: &'a str) -> Curve<'a> {
     let found = stroke.figures();
-    let rows = sampled(stroke, DIAGRAM_POINTS);
+    let rows = sample_stroke(stroke, DIAGRAM_POINTS);
     let acceleration = found.acceleration_run_up.abs();
     let acceleration = acceleration.max(found.acceleration_run_out);
     let jerks = rows.iter().map(|row| row.1.third.abs());

@@ -4,7 +4,9 @@ use super::Machine;
 use super::object_path::{Grip, ObjectPath, Picture};
 use crate::dynamics::model::ObjectPart;
 use crate::kinematics::cam::{DiscCam, Guide};
-use crate::report::cam::{Follower, bodies, drawing, drawn, ends, marks, view_within};
+use crate::report::cam::{
+    Follower, curves_to_draw, drawing, ends, marks, moving_bodies, view_within,
+};
 use crate::report::html::player::{Body, PartDisplacement};
 
 /// The picture of a follower whose cam is known, `columns` being the coordinates of
@@ -18,7 +20,7 @@ pub(super) fn picture(
 ) -> Option<Picture> {
     let (_, cam) = machine.cams.iter().find(|(id, _)| *id == part.id)?;
     let lever = machine.model.nodes[*part.nodes.last()?].motion.law()?.lever;
-    let curves = drawn(cam);
+    let curves = curves_to_draw(cam);
     let view = view_within(cam, &curves, most);
     let outward = cam.geometry().outward;
     let follower = |shown: PartDisplacement| Follower {
@@ -32,9 +34,9 @@ pub(super) fn picture(
     } else {
         PartDisplacement::True
     };
-    let mut all = bodies(cam, &view, columns[0], &follower(shown)).to_vec();
+    let mut all = moving_bodies(cam, &view, columns[0], &follower(shown)).to_vec();
     if elastic {
-        let [_, law] = bodies(cam, &view, columns[0], &follower(PartDisplacement::Law));
+        let [_, law] = moving_bodies(cam, &view, columns[0], &follower(PartDisplacement::Law));
         all.push(law);
     }
     let start = follower(shown).factor * way.start - follower(shown).base;
@@ -46,7 +48,7 @@ pub(super) fn picture(
         Some(start).filter(|_| elastic),
     );
     let [inlet, outlet, tip] = ends(cam, &view);
-    let follower = grip(&all[1], [outlet, tip]).map(|grip| (part.id.clone(), grip));
+    let follower = load_points_on_body(&all[1], [outlet, tip]).map(|grip| (part.id.clone(), grip));
     let radius = view.scale * cam.geometry().base_radius;
     let turned = on_cam(&all[0], radius).map(|grip| (driver_id.to_owned(), grip));
     Some(Picture {
@@ -65,7 +67,7 @@ pub(super) fn picture(
 
 /// Where loads act on the follower, its second part: on a sliding one at its far end, on a turning
 /// one at its tip, square to its arm.
-fn grip(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
+fn load_points_on_body(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
     let (at, along) = match *follower {
         Body::Slide { by, .. } => (end, by),
         Body::Turn { at, sense, .. } => {

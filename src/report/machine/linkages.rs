@@ -27,7 +27,12 @@ pub(super) fn picture(
     };
     let body = model.linkages.iter().find(|body| own(body.object))?;
     let id = |output: &str| format!("{}.{output}", part.id);
-    Some(drawn(&body.linkage, (way, behind), (column, most), id))
+    Some(draw_linkage(
+        &body.linkage,
+        (way, behind),
+        (column, most),
+        id,
+    ))
 }
 
 /// The picture of an object that is a linkage of several inputs, over the rows of the record.
@@ -73,7 +78,7 @@ pub(super) fn multi_input_picture(
         paths: Vec::new(),
         arrows: Vec::new(),
     };
-    let view = View::within(&drawing, most);
+    let view = View::view_of_all_positions(&drawing, most);
     let bodies = (0..spec.links.len()).map(|link| Body::Rows {
         table: drawing.table(&view, link),
     });
@@ -84,7 +89,7 @@ pub(super) fn multi_input_picture(
     });
     Some(Picture {
         bodies: bodies.collect(),
-        drawn: drawing.parts(&view, 0),
+        drawn: drawing.draw_parts(&view, 0),
         size: [view.width, view.height],
         // Its links are rigid.
         pixels: 0.0,
@@ -129,7 +134,7 @@ pub(super) fn law(
             String::new()
         }
     };
-    Some(drawn(
+    Some(draw_linkage(
         &linkage,
         (way, Some((behind, true))),
         (column, most),
@@ -138,13 +143,13 @@ pub(super) fn law(
 }
 
 /// A linkage over its input; `id`: that of each of its outputs.
-fn drawn(
+fn draw_linkage(
     linkage: &Linkage,
     (way, behind): (&ObjectPath, Option<(&str, bool)>),
     (column, most): (usize, f64),
     id: impl Fn(&str) -> String,
 ) -> Picture {
-    let (from, to, repeats) = reach(linkage, way);
+    let (from, to, repeats) = drawn_range(linkage, way);
     let inputs: Vec<f64> = (0..PLACES)
         .map(|place| from + (to - from) * place as f64 / (PLACES - 1) as f64)
         .collect();
@@ -161,7 +166,7 @@ fn drawn(
         paths: Vec::new(),
         arrows: Vec::new(),
     };
-    let view = View::within(&drawing, most);
+    let view = View::view_of_all_positions(&drawing, most);
     let share = (way.start - from) / (to - from);
     let share = if repeats {
         share.rem_euclid(1.0)
@@ -177,7 +182,7 @@ fn drawn(
     if let Some((driver, same_sense)) = behind {
         let hold = drawing.hold_of_pair(&view, drawing.spec.driver);
         let turned = if same_sense { 1.0 } else { -1.0 };
-        let grip = hold.map(|hold| grip(hold, turned));
+        let grip = hold.map(|hold| grip_of_hold(hold, turned));
         grips.extend(grip.map(|grip| (driver.to_owned(), grip)));
     }
     let bodies = (0..linkage.spec().links.len()).map(|link| Body::Over {
@@ -190,7 +195,7 @@ fn drawn(
     });
     Picture {
         bodies: bodies.collect(),
-        drawn: drawing.parts(&view, start) + &sense,
+        drawn: drawing.draw_parts(&view, start) + &sense,
         size: [view.width, view.height],
         // Its links are rigid.
         pixels: 0.0,
@@ -216,13 +221,13 @@ fn outputs(
     let outlets = all().map(|output| (id(&output.name), drawing.outlet(view, &output.kind, frame)));
     let grips = all().filter_map(|output| {
         let hold = drawing.force_place(view, &output.kind)?;
-        Some((id(&output.name), grip(hold, 1.0)))
+        Some((id(&output.name), grip_of_hold(hold, 1.0)))
     });
     (outlets.collect(), grips.collect())
 }
 
 /// The grip of a hold on a link, with its sense or turned round.
-fn grip(hold: Hold, sense: f64) -> Grip {
+fn grip_of_hold(hold: Hold, sense: f64) -> Grip {
     Grip {
         part: hold.link,
         at: hold.at,
@@ -237,7 +242,7 @@ fn right_edge(view: &View) -> [f64; 2] {
 }
 
 /// A period of the input where the run goes through all of it, else as far as it goes.
-fn reach(linkage: &Linkage, way: &ObjectPath) -> (f64, f64, bool) {
+fn drawn_range(linkage: &Linkage, way: &ObjectPath) -> (f64, f64, bool) {
     let [least, greatest] = way.range;
     match linkage.range().period {
         Some(period) if way.travel() >= period.length => (least, least + period.length, true),

@@ -59,7 +59,7 @@ pub(super) fn arrows(
 ) -> Option<Arrows> {
     let motions = Motions::of(model, record);
     let (mut on, mut named, mut shown) = (Vec::new(), Vec::new(), BTreeSet::new());
-    let placed = whole.placed().collect::<Vec<_>>();
+    let placed = whole.placed_stations().collect::<Vec<_>>();
     // What has a picture of its own is not shown on what it drives.
     let own = |id: &str| placed.iter().any(|(station, ..)| station.id == id);
     for &(station, first, origin) in &placed {

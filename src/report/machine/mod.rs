@@ -60,7 +60,7 @@ impl Machine<'_> {
         format!(
             "<h2>The machine moving</h2>\n{}{}",
             moving.player.figure(&(style + &moving.pictures)),
-            moving.note()
+            moving.picture_note()
         )
     }
 
@@ -80,7 +80,7 @@ impl Machine<'_> {
         let mut player = Player {
             id: "machine".to_owned(),
             seconds: self.seconds(record),
-            turn: self.turn(),
+            turn: self.time_of_turn(),
             columns,
             times: Some(plots.places(&record.times)),
             ..Player::default()
@@ -132,14 +132,14 @@ impl Machine<'_> {
 
     fn seconds(&self, record: &Record) -> f64 {
         let duration = record.times.last().copied().unwrap_or(0.0);
-        match self.turn() {
+        match self.time_of_turn() {
             Some(turn) => (SECONDS_A_TURN * duration / turn).max(2.0),
             None => SECONDS_A_RUN,
         }
     }
 
     /// The time of a turn of the drive (s); `None`: it does not turn evenly.
-    fn turn(&self) -> Option<f64> {
+    fn time_of_turn(&self) -> Option<f64> {
         drive_cycle(self.model).ok().filter(|turn| *turn > 0.0)
     }
 }
@@ -157,7 +157,7 @@ pub(in crate::report) struct MovingMachine {
 
 impl MovingMachine {
     /// What is to be said of the pictures.
-    pub(in crate::report) fn note(&self) -> String {
+    pub(in crate::report) fn picture_note(&self) -> String {
         let mut text = String::from(
             "Angles are true; cams and linkages are to scale, a lever without geometry has unit \
              length. A scene does not place its objects in the plane: lines join them along the \

@@ -6,9 +6,9 @@ use super::{cams, linkages};
 use crate::dynamics::model::{Coordinate, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::html::player::{Body, PartDisplacement};
-use crate::report::mechanism::marks::sense;
+use crate::report::mechanism::marks::turning_arrow;
 use crate::report::plot::coordinate;
-use crate::report::quantity::{escape, scale, with_unit};
+use crate::report::quantity::{escape, readable_scale, with_unit};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -114,7 +114,7 @@ impl Station {
             Coordinate::Turning => ("deg", 1f64.to_degrees(), "rad"),
             Coordinate::Sliding => ("mm", 1e3, "m"),
         };
-        let small = scale(delta, si);
+        let small = readable_scale(delta, si);
         let id = escape(&self.id);
         let [x, y, below] = [x, y, y + LINE].map(coordinate);
         format!(
@@ -174,7 +174,7 @@ pub(super) fn displacements(elastic: bool) -> &'static [PartDisplacement] {
 }
 
 /// Opens a part; `number` counts within its picture.
-pub(super) fn part(number: usize, shown: PartDisplacement, pose: [f64; 4]) -> String {
+pub(super) fn open_part(number: usize, shown: PartDisplacement, pose: [f64; 4]) -> String {
     let [x, y, c, s] = pose;
     let class = if shown == PartDisplacement::Law {
         " law"
@@ -209,7 +209,7 @@ fn turning(id: &str, way: &ObjectPath, column: usize, elastic: bool) -> Picture 
     for (number, &shown) in displacements(elastic).iter().enumerate() {
         let (sin, cos) = (way.start + offset).sin_cos();
         out.drawn
-            .push_str(&part(number, shown, [centre[0], centre[1], cos, sin]));
+            .push_str(&open_part(number, shown, [centre[0], centre[1], cos, sin]));
         out.drawn.push_str(&match revolves {
             true => wheel(shown),
             false => lever(shown),
@@ -231,7 +231,8 @@ fn turning(id: &str, way: &ObjectPath, column: usize, elastic: bool) -> Picture 
     };
     out.grips.push((id.to_owned(), grip));
     if revolves || (way.one_way && way.travel() > TURNS) {
-        out.drawn.push_str(&sense(centre, WHEEL + 9.0, way.forward));
+        out.drawn
+            .push_str(&turning_arrow(centre, WHEEL + 9.0, way.forward));
     }
     let [x, y] = centre.map(coordinate);
     let _ = writeln!(
@@ -313,7 +314,7 @@ fn sliding(id: &str, way: &ObjectPath, column: usize, elastic: bool) -> Picture 
     };
     for (number, &shown) in displacements(elastic).iter().enumerate() {
         let place = [at[0] + scale * way.start, y, 1.0, 0.0];
-        out.drawn.push_str(&part(number, shown, place));
+        out.drawn.push_str(&open_part(number, shown, place));
         let [w, h] = BLOCK;
         let _ = write!(
             out.drawn,

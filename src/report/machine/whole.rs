@@ -165,7 +165,7 @@ impl<'a> Whole<'a> {
         let cells = cells((stations, firsts), &drivers(model, drawn));
         let placed = |widest: f64| {
             let mut cells = cells.clone();
-            let size = place(&mut cells, widest);
+            let size = place_cells(&mut cells, widest);
             Self { cells, size }
         };
         if room == Room::Page {
@@ -186,7 +186,9 @@ impl<'a> Whole<'a> {
     }
 
     /// Every station that is drawn, with the number of its first part and its place.
-    pub(super) fn placed(&self) -> impl Iterator<Item = (&'a Station, usize, [f64; 2])> + '_ {
+    pub(super) fn placed_stations(
+        &self,
+    ) -> impl Iterator<Item = (&'a Station, usize, [f64; 2])> + '_ {
         let cells = self.cells.iter();
         cells.map(|cell| (cell.station, cell.first, cell.at))
     }
@@ -196,7 +198,7 @@ impl<'a> Whole<'a> {
         let mut out = String::new();
         for cell in &self.cells {
             for wire in &cell.wires {
-                out.push_str(&join(&self.cells[wire.from], cell, wire));
+                out.push_str(&connecting_line(&self.cells[wire.from], cell, wire));
             }
         }
         for cell in &self.cells {
@@ -295,7 +297,7 @@ fn width_of(cells: &[Cell<'_>], count: usize) -> f64 {
 
 /// Gives every cell its place, columns from left to right in rows that are not wider than
 /// `widest_row` where a single column is not (pixels); the size of all.
-fn place(cells: &mut [Cell<'_>], widest_row: f64) -> [f64; 2] {
+fn place_cells(cells: &mut [Cell<'_>], widest_row: f64) -> [f64; 2] {
     let sizes = column_sizes(cells);
     let columns = sizes.len();
     let (mut begin, mut top, mut widest) = (0, MARGIN, 0.0_f64);
@@ -332,7 +334,7 @@ fn place(cells: &mut [Cell<'_>], widest_row: f64) -> [f64; 2] {
 }
 
 /// The line along which motion goes from one cell to another, with a head before the second.
-fn join(from: &Cell<'_>, to: &Cell<'_>, wire: &Wire) -> String {
+fn connecting_line(from: &Cell<'_>, to: &Cell<'_>, wire: &Wire) -> String {
     let [x0, y0] = from.pixel(from.station.picture.outlet(wire.output.as_deref()));
     let [x1, y1] = to.pixel(to.station.picture.inlet(wire.input));
     let before = to.lane[0].max(4.0);

@@ -1,11 +1,11 @@
 //! What a map shows: panels, verdicts, extremes, what the verdicts mean, causes.
 
 use super::meanings::{meaning, not_determined};
-use super::picture::{key, letter, panels};
+use super::picture::{key, panel_letter, panels};
 use super::pointing::section;
 use crate::report::addresses::{parameter_words, result_words, setting_words};
 use crate::report::findings::{Cell as Entry, Findings, Layout, Section, Source, Table, Value};
-use crate::report::html::facts;
+use crate::report::html::definition_list;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
@@ -31,18 +31,18 @@ pub fn findings<'a>(
     let columns = study.panels.columns.clamp(1, 4);
     let columns = columns.min(study.panels.panels.len());
     let over = match &study.y {
-        Some(y) => format!("{} and {}", over(&study.x), over(y)),
-        None => over(&study.x),
+        Some(y) => format!("{} and {}", axis_phrase(&study.x), axis_phrase(y)),
+        None => axis_phrase(&study.x),
     };
     let mut sections = vec![
         Section::new("Map")
             .charts(Layout::Panels(columns), "map", panels(study, result))
             .drawing(|_| key(study, result))
             .drawing(|_| section(study, result, command)),
-        Section::new("Verdicts").table(verdicts(study, &summed)),
-        Section::new("Extremes").table(extremes(study, &summed)),
+        Section::new("Verdicts").table(verdicts_table(study, &summed)),
+        Section::new("Extremes").table(extremes_table(study, &summed)),
         Section::new("What they mean").drawing(|_| meanings(study, result)),
-        Section::new("Causes").table(causes(study, result)),
+        Section::new("Causes").table(causes_table(study, result)),
     ];
     sections.retain(|section| !section.is_empty());
     let mut findings = Findings {
@@ -58,7 +58,7 @@ pub fn findings<'a>(
     findings
 }
 
-fn over(axis: &Axis) -> String {
+fn axis_phrase(axis: &Axis) -> String {
     let by = if axis.log { " by equal ratios" } else { "" };
     format!(
         "{} ({} values from {} to {}{by})",
@@ -157,7 +157,8 @@ fn interval(study: &Study<'_>, result: &MapResult) -> Option<String> {
     let last = cells.iter().rposition(good)?;
     let whole = cells[first..=last].iter().all(good);
     (whole && first < last && last - first + 1 < cells.len()).then(|| {
-        let [from, to] = [first, last].map(|index| value_text(&study.x, study.place(index).0));
+        let [from, to] =
+            [first, last].map(|index| value_text(&study.x, study.parameters_at_cell(index).0));
         let parameter = parameter_words(&study.x.path);
         format!("In working order for a {parameter} from {from} to {to}.")
     })
@@ -167,16 +168,16 @@ fn interval(study: &Study<'_>, result: &MapResult) -> Option<String> {
 fn name(study: &Study<'_>, panel: usize) -> String {
     match study.panels.panels.len() {
         1 => "map".to_owned(),
-        _ => letter(panel),
+        _ => panel_letter(panel),
     }
 }
 
 /// How often each verdict occurs, a column a panel.
-fn verdicts(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
+fn verdicts_table(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let names: Vec<String> = (0..panels.len())
         .map(|panel| match panels.len() {
             1 => ">cells".to_owned(),
-            _ => format!(">{}", letter(panel)),
+            _ => format!(">{}", panel_letter(panel)),
         })
         .collect();
     let heads = std::iter::once("verdict").chain(names.iter().map(String::as_str));
@@ -188,7 +189,7 @@ fn verdicts(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
         let cell = |panel: &PanelSummary| {
             let all: usize = panel.verdicts.values().sum::<usize>() + panel.missing;
             let share = 100.0 * count(panel) as f64 / all.max(1) as f64;
-            Entry::with(count(panel).to_string(), format!("{share:.1} %"))
+            Entry::with_note(count(panel).to_string(), format!("{share:.1} %"))
         };
         let first = std::iter::once(Entry::from(name));
         table.push(first.chain(panels.iter().map(cell)));
@@ -205,18 +206,22 @@ fn verdicts(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
 }
 
 /// The least and the greatest value of every panel.
-fn extremes(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
+fn extremes_table(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let cell = |extreme: &Option<Extreme>| match extreme {
         None => Entry::from("–"),
-        Some(extreme) => Entry::with(
+        Some(extreme) => Entry::with_note(
             Value::new(extreme.value, &study.unit, 7),
-            format!("at {}, {}", place(study, extreme), extreme.verdict.words()),
+            format!(
+                "at {}, {}",
+                parameters_at_extreme(study, extreme),
+                extreme.verdict.words()
+            ),
         ),
     };
     let row = |(index, panel): (usize, &PanelSummary)| {
         let label = match panel.label.as_str() {
             "" => "map".to_owned(),
-            label => format!("{}  {}", letter(index), setting_words(label)),
+            label => format!("{}  {}", panel_letter(index), setting_words(label)),
         };
         vec![label.into(), cell(&panel.least), cell(&panel.greatest)]
     };
@@ -225,7 +230,7 @@ fn extremes(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
 
 /// Values of the parameters at an extreme, with their units; one of the user's own takes
 /// no prefix.
-fn place(study: &Study<'_>, extreme: &Extreme) -> String {
+fn parameters_at_extreme(study: &Study<'_>, extreme: &Extreme) -> String {
     let [x_unit, y_unit] = &study.parameter_units;
     let shown = |value: f64, axis: &Axis, unit: &str| match axis.unit.as_str() {
         "" => with_unit(value, unit, 6),
@@ -248,11 +253,11 @@ fn meanings(study: &Study<'_>, result: &MapResult) -> String {
     if study.check_determined {
         rows.push(("not determined", not_determined(study)));
     }
-    facts(&rows)
+    definition_list(&rows)
 }
 
 /// The causes of everything that is no plain answer.
-fn causes(study: &Study<'_>, result: &MapResult) -> Table {
+fn causes_table(study: &Study<'_>, result: &MapResult) -> Table {
     let told = |cell: &Cell| {
         matches!(
             cell.verdict,
@@ -269,7 +274,7 @@ fn causes(study: &Study<'_>, result: &MapResult) -> Table {
             let count = seen.entry(cell.verdict).or_insert(0);
             *count += 1;
             if *count <= MOST_CAUSES {
-                let (x, y) = study.place(index);
+                let (x, y) = study.parameters_at_cell(index);
                 let y = study.y.as_ref().zip(y);
                 let y = y.map_or(String::new(), |(axis, y)| {
                     format!("; {}", value_text(axis, y))

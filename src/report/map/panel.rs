@@ -84,7 +84,9 @@ impl Panel<'_> {
     fn lines(&self, x: &Grid, y: &Grid) -> Vec<Contour> {
         let (columns, rows) = (x.middles.len(), y.middles.len());
         let placed = |lines: Vec<Vec<(f64, f64)>>| -> Vec<Vec<(f64, f64)>> {
-            let place = |(column, row): (f64, f64)| (x.between(column), y.between(row));
+            let place = |(column, row): (f64, f64)| {
+                (x.interpolated_value(column), y.interpolated_value(row))
+            };
             let line = |line: Vec<(f64, f64)>| line.into_iter().map(place).collect();
             lines.into_iter().map(line).collect()
         };
@@ -94,7 +96,7 @@ impl Panel<'_> {
             parts: placed(contours(columns, rows, 0.0, &margin)),
             edge: true,
         }];
-        for (level, label) in self.values.levels(LEVELS) {
+        for (level, label) in self.values.contour_levels(LEVELS) {
             let mut lines = Vec::new();
             for below in [false, true] {
                 let field = |column: usize, row: usize| {
@@ -167,7 +169,7 @@ impl Panel<'_> {
                 continue;
             };
             if (before >= 0.0) != (here >= 0.0) {
-                found.push(x.between((column - 1) as f64 + before / (before - here)));
+                found.push(x.interpolated_value((column - 1) as f64 + before / (before - here)));
             }
         }
         found
@@ -224,7 +226,7 @@ impl Grid {
     }
 
     /// The value at a place between the middles, counted in cells.
-    fn between(&self, at: f64) -> f64 {
+    fn interpolated_value(&self, at: f64) -> f64 {
         let low = (at as usize).min(self.middles.len() - 2);
         let (a, b, part) = (self.middles[low], self.middles[low + 1], at - low as f64);
         match self.axis.log {

@@ -48,7 +48,7 @@ pub(super) fn panels(study: &Study<'_>, result: &MapResult) -> Vec<Plot> {
         };
         let settings = setting_words(&title(&panel.settings).join(", "));
         let head = match (several, settings.as_str()) {
-            (true, settings) => format!("{}  {settings}", letter(index)),
+            (true, settings) => format!("{}  {settings}", panel_letter(index)),
             (false, "") => capitalised(&result_words(&study.figure)),
             (false, settings) => settings.to_owned(),
         };
@@ -73,13 +73,13 @@ pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
 
 /// The legend, from a left and an upper edge on to a width, and where it ends below.
 fn legend(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -> (String, f64) {
-    let (legend, height) = legend_rows(entries(study, result), [left, width], top + 14.0);
+    let (legend, height) = legend_rows(legend_entries(study, result), [left, width], top + 14.0);
     (legend, top + height + 16.0)
 }
 
 /// The map of one panel where it is looked at and steered, no larger than needed.
 #[cfg(feature = "live")]
-pub(in crate::report) fn steered(
+pub(in crate::report) fn interactive_map(
     study: &Study<'_>,
     result: &MapResult,
     plots: &mut Plots,
@@ -95,7 +95,7 @@ pub(in crate::report) fn steered(
 }
 
 /// Letter of a panel: a … z, then by its number.
-pub(in crate::report) fn letter(index: usize) -> String {
+pub(in crate::report) fn panel_letter(index: usize) -> String {
     match u8::try_from(index) {
         Ok(index @ ..26) => char::from(b'a' + index).to_string(),
         _ => (index + 1).to_string(),
@@ -208,7 +208,7 @@ fn panel_heading(
     for (line, text) in title.iter().enumerate() {
         let y = frame.top - 8.0 - LINE * (title.len() - 1 - line) as f64;
         let letter = match (line, count) {
-            (0, 2..) => format!("{}  ", letter(index)),
+            (0, 2..) => format!("{}  ", panel_letter(index)),
             _ => String::new(),
         };
         let _ = writeln!(
@@ -223,7 +223,7 @@ fn panel_heading(
 }
 
 /// What the colours mean, and how often they occur.
-fn entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
+fn legend_entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
     let mut counts: BTreeMap<Verdict, usize> = BTreeMap::new();
     let (mut edge, mut rings) = ([false; 2], 0);
     for cell in result.panels.iter().flatten().flatten() {

@@ -23,7 +23,11 @@ pub(super) fn section(study: &Study<'_>, result: &MapResult, command: &[String])
 /// Every cell as it is told of.
 fn data(study: &Study<'_>, result: &MapResult, command: &[String]) -> Value {
     let axis = |axis: &Axis| {
-        let written: Vec<String> = axis.values().into_iter().map(|v| axis.written(v)).collect();
+        let written: Vec<String> = axis
+            .values()
+            .into_iter()
+            .map(|v| axis.value_with_unit(v))
+            .collect();
         json!({ "path": axis.path, "values": written })
     };
     let mut causes = Causes::default();

@@ -21,7 +21,7 @@ pub fn map_rows(study: &Study<'_>, result: &MapResult) -> Rows {
     names.push(head(&study.figure, &study.unit));
     names.extend(["verdict", "cause", "determined", "moved", "rigid_margin"].map(str::to_owned));
     let row = |panel: usize, index: usize, cell: &Cell| {
-        let (x, y) = study.place(index);
+        let (x, y) = study.parameters_at_cell(index);
         let mut row: Vec<Field> = vec![(panel + 1).to_string().into()];
         row.extend(several.then(|| study.panels.panels[panel].label.as_str().into()));
         row.push(x.into());

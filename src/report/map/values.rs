@@ -3,7 +3,7 @@
 use crate::report::addresses::result_words;
 use crate::report::plot::Axis;
 use crate::report::plot::scale::ticks;
-use crate::report::quantity::{scale, with_unit};
+use crate::report::quantity::{readable_scale, with_unit};
 use crate::studies::map::{MapResult, Study};
 
 /// Ratio of the greatest to the least value from which on contour lines follow the logarithm.
@@ -43,7 +43,7 @@ impl Values {
         let smallest = sizes().reduce(f64::min).unwrap_or(f64::INFINITY);
         let smallest = smallest.max(largest / MOST_WIDE);
         // A curve has an axis to read signs from; lines of a map are labelled with sizes.
-        let buried = || largest > BURIED * middle(sizes().collect());
+        let buried = || largest > BURIED * median(sizes().collect());
         let signless = low > 0.0 || study.y.is_some() || buried();
         let log = largest > WIDE * smallest && signless;
         let range = if log {
@@ -70,9 +70,9 @@ impl Values {
     }
 
     /// Round values within the range, about `count`, with their labels.
-    pub(super) fn levels(&self, count: usize) -> Vec<(f64, String)> {
+    pub(super) fn contour_levels(&self, count: usize) -> Vec<(f64, String)> {
         // Round in the unit that is shown.
-        let factor = scale(self.range[1], &self.unit).factor;
+        let factor = readable_scale(self.range[1], &self.unit).factor;
         let [low, high] = self.range.map(|value| value / factor);
         let values = match self.log {
             true => round_powers(low.log10(), high.log10(), count),
@@ -131,7 +131,7 @@ fn round_powers(low: f64, high: f64, count: usize) -> Vec<f64> {
 }
 
 /// The middle one of some sizes.
-fn middle(mut sizes: Vec<f64>) -> f64 {
+fn median(mut sizes: Vec<f64>) -> f64 {
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }

@@ -7,16 +7,16 @@ pub(super) fn write(expr: &Expr) -> String {
     match expr {
         Expr::Number(value) => number(*value),
         Expr::Angle(value) => angle(*value),
-        Expr::Symbol(symbol) => letter(symbol),
+        Expr::Symbol(symbol) => symbol_in_latex(symbol),
         Expr::Sum(terms) => sum(terms),
         Expr::Negative(inner) if inner.is_additive() => format!("-{}", bracketed(inner)),
         Expr::Negative(inner) => format!("-{}", write(inner)),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!(r"\frac{{{}}}{{{}}}", write(top), write(bottom)),
-        Expr::Power(base, power) => raised(base, *power),
+        Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!(r"\sqrt{{{}}}", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
-        Expr::At(symbol, argument) => format!("{}{}", letter(symbol), bracketed(argument)),
+        Expr::At(symbol, argument) => format!("{}{}", symbol_in_latex(symbol), bracketed(argument)),
         Expr::Cases(cases) => {
             let case = |(value, condition): &(Expr, Expr)| {
                 format!("{} & {}", write(value), condition_text(condition))
@@ -72,13 +72,13 @@ pub fn escape(text: &str) -> String {
             '<' => out.push_str(r"\textless{}"),
             '>' => out.push_str(r"\textgreater{}"),
             c if c.is_ascii() && !c.is_ascii_control() => out.push(c),
-            c => out.push_str(&named(c)),
+            c => out.push_str(&character_command(c)),
         }
     }
     out
 }
 
-fn named(c: char) -> String {
+fn character_command(c: char) -> String {
     if let Some(command) = greek(c) {
         return format!("${command}$");
     }
@@ -125,7 +125,7 @@ fn greek(c: char) -> Option<&'static str> {
     })
 }
 
-fn letter(symbol: &Symbol) -> String {
+fn symbol_in_latex(symbol: &Symbol) -> String {
     let mut base = String::new();
     for c in symbol.letter.chars() {
         match greek(c) {
@@ -192,7 +192,7 @@ fn bracketed(expr: &Expr) -> String {
     format!(r"\left({}\right)", write(expr))
 }
 
-fn raised(base: &Expr, power: u32) -> String {
+fn power_of(base: &Expr, power: u32) -> String {
     match base {
         Expr::Symbol(symbol) if symbol.primes == 0 => format!("{}^{{{power}}}", write(base)),
         Expr::Number(value) if *value >= 0.0 => format!("{}^{{{power}}}", write(base)),

@@ -8,13 +8,15 @@ use crate::report::quantity::{escape, significant};
 pub(super) fn write(expr: &Expr) -> String {
     match expr {
         Expr::Number(_) | Expr::Angle(_) | Expr::Sum(_) | Expr::Negative(_) => added(expr),
-        Expr::Symbol(symbol) => letter(symbol),
+        Expr::Symbol(symbol) => symbol_in_mathml(symbol),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!("<mfrac>{}{}</mfrac>", one(top), one(bottom)),
-        Expr::Power(base, power) => raised(base, *power),
+        Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!("<msqrt>{}</msqrt>", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
-        Expr::At(symbol, argument) => format!("{}{}", letter(symbol), bracketed(argument)),
+        Expr::At(symbol, argument) => {
+            format!("{}{}", symbol_in_mathml(symbol), bracketed(argument))
+        }
         Expr::Cases(cases) => table(cases),
         Expr::Compare(left, relation, right) => {
             format!(
@@ -26,14 +28,14 @@ pub(super) fn write(expr: &Expr) -> String {
         }
         Expr::All(conditions) => {
             let all: Vec<_> = conditions.iter().map(write).collect();
-            all.join(&words(" and "))
+            all.join(&preserve_blanks(" and "))
         }
         Expr::Absolute(inner) => format!("<mrow><mo>|</mo>{}<mo>|</mo></mrow>", write(inner)),
         Expr::Greater(left, right) => {
             let arguments = format!("{}{}{}", write(left), operator(","), write(right));
             format!("<mi>max</mi><mrow><mo>(</mo>{arguments}<mo>)</mo></mrow>")
         }
-        Expr::Words(text) => words(text),
+        Expr::Words(text) => preserve_blanks(text),
     }
 }
 
@@ -47,7 +49,7 @@ fn operator(text: &str) -> String {
 }
 
 /// Blanks at the ends of a text element count for nothing unless they do not break.
-fn words(text: &str) -> String {
+fn preserve_blanks(text: &str) -> String {
     format!("<mtext>{}</mtext>", escape(&text.replace(' ', "\u{a0}")))
 }
 
@@ -102,7 +104,7 @@ fn bracketed(expr: &Expr) -> String {
     format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", write(expr))
 }
 
-fn raised(base: &Expr, power: u32) -> String {
+fn power_of(base: &Expr, power: u32) -> String {
     let base = match base {
         Expr::Symbol(symbol) if symbol.primes == 0 => write(base),
         Expr::Number(value) if *value >= 0.0 => one(base),
@@ -123,8 +125,8 @@ fn called(name: &str, argument: &Expr) -> String {
 fn table(cases: &[(Expr, Expr)]) -> String {
     let row = |(value, condition): &(Expr, Expr)| {
         let condition = match condition {
-            Expr::Words(text) => words(text),
-            other => format!("{}{}", words("while "), write(other)),
+            Expr::Words(text) => preserve_blanks(text),
+            other => format!("{}{}", preserve_blanks("while "), write(other)),
         };
         format!(
             "<mtr><mtd>{}</mtd><mtd>{condition}</mtd></mtr>",
@@ -135,7 +137,7 @@ fn table(cases: &[(Expr, Expr)]) -> String {
     format!("<mrow><mo>{{</mo><mtable>{rows}</mtable></mrow>")
 }
 
-fn letter(symbol: &Symbol) -> String {
+fn symbol_in_mathml(symbol: &Symbol) -> String {
     let letters = symbol.letter.chars();
     let letters: String = letters.map(|c| format!("<mi>{c}</mi>")).collect();
     let mut base = match symbol.letter.chars().count() {
@@ -183,7 +185,7 @@ fn letter(symbol: &Symbol) -> String {
 /// A number to six significant digits: 1.2·10⁻⁷.
 fn number(value: f64) -> String {
     if value.is_nan() {
-        return words("not a number");
+        return preserve_blanks("not a number");
     }
     let text = significant(value, 6);
     let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c);

@@ -8,16 +8,16 @@ pub(super) fn write(expr: &Expr) -> String {
     match expr {
         Expr::Number(value) => significant(*value, 6),
         Expr::Angle(value) => angle(*value),
-        Expr::Symbol(symbol) => letter(symbol),
+        Expr::Symbol(symbol) => symbol_in_unicode(symbol),
         Expr::Sum(terms) => sum(terms),
         Expr::Negative(inner) if inner.is_additive() => format!("−({})", write(inner)),
         Expr::Negative(inner) => format!("−{}", write(inner)),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!("{}/{}", operand(top), denominator(bottom)),
-        Expr::Power(base, power) => raised(base, *power),
+        Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!("√({})", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
-        Expr::At(symbol, argument) => format!("{}({})", letter(symbol), write(argument)),
+        Expr::At(symbol, argument) => format!("{}({})", symbol_in_unicode(symbol), write(argument)),
         Expr::Cases(cases) => {
             let case = |(value, condition): &(Expr, Expr)| {
                 format!("{} {}", write(value), condition_text(condition))
@@ -46,7 +46,7 @@ fn condition_text(condition: &Expr) -> String {
 }
 
 /// Letter, dots, primes, subscript: φ̈₂, U′_rocker.
-fn letter(symbol: &Symbol) -> String {
+fn symbol_in_unicode(symbol: &Symbol) -> String {
     let dots = ["", "\u{307}", "\u{308}"][usize::from(symbol.dots.min(2))];
     let primes = ["", "′", "″"][usize::from(symbol.primes.min(2))];
     let index = match &symbol.index {
@@ -113,7 +113,7 @@ fn denominator(expr: &Expr) -> String {
     }
 }
 
-fn raised(base: &Expr, power: u32) -> String {
+fn power_of(base: &Expr, power: u32) -> String {
     let simple = |symbol: &Symbol| {
         symbol.primes == 0 && !matches!(symbol.index, Index::Word(_) | Index::WordMass(..))
     };
@@ -129,7 +129,7 @@ fn raised(base: &Expr, power: u32) -> String {
 fn called(name: &str, argument: &Expr) -> String {
     match argument {
         Expr::Symbol(symbol) if symbol.index == Index::None => {
-            format!("{name} {}", letter(symbol))
+            format!("{name} {}", symbol_in_unicode(symbol))
         }
         other => format!("{name}({})", write(other)),
     }

@@ -49,7 +49,7 @@ pub(super) fn travel(drawing: &Drawing<'_>, index: usize, extent: f64) -> [f64; 
     };
     let mut span = [f64::INFINITY, f64::NEG_INFINITY];
     for frame in &drawing.frames {
-        let at = |point: &PointOf| place(frame, point);
+        let at = |point: &PointOf| point_in_ground(frame, point);
         let guide = pair.on.link.map_or(Placement::GROUND, |link| frame[link]);
         let (a, b) = (at(&pair.on), at(&pair.link));
         let [c, s] = guide.turn;
@@ -93,7 +93,7 @@ pub(super) fn outline(
     parts.into_iter().flat_map(move |(rails, block)| {
         let frames = drawing.frames.iter();
         frames.flat_map(move |frame| {
-            let put = move |link: Option<usize>, at| place(frame, &PointOf { link, at });
+            let put = move |link: Option<usize>, at| point_in_ground(frame, &PointOf { link, at });
             let rails = rails.map(|at| put(pair.on.link, at));
             rails
                 .into_iter()
@@ -111,7 +111,7 @@ pub(super) fn on_axis(pair: &PairSpec, direction: f64, along: f64) -> [f64; 2] {
 /// The nearest place of a guide's link from which a bar leads to its rails, such
 /// as its pivot, and where along the guide it meets them; none where the link
 /// itself lies between the rails or beside them.
-pub(super) fn stem(
+pub(super) fn bar_to_rails(
     drawing: &Drawing<'_>,
     index: usize,
     [from, to]: [f64; 2],
@@ -140,13 +140,13 @@ pub(super) fn stem(
 }
 
 /// The line across both rails where a bar meets them, in pixels.
-pub(super) fn yoke(along: f64, half_height: f64) -> String {
+pub(super) fn line_across_rails(along: f64, half_height: f64) -> String {
     let (x, h) = (coordinate(along), half_height + 1.5);
     format!("<path d=\"M{x} {}V{}\"/>", coordinate(-h), coordinate(h))
 }
 
 /// A point in the frame of the ground.
-pub(super) fn place(frame: &[Placement], point: &PointOf) -> [f64; 2] {
+pub(super) fn point_in_ground(frame: &[Placement], point: &PointOf) -> [f64; 2] {
     match point.link {
         Some(link) => frame[link].point(point.at),
         None => point.at,

@@ -42,7 +42,11 @@ fn round_below(value: f64) -> Option<f64> {
 
 /// The arc with a head that shows in which sense something turns about a pixel: from the lower
 /// right a third of a turn on, or back.
-pub(in crate::report) fn sense([x, y]: [f64; 2], radius: f64, counterclockwise: bool) -> String {
+pub(in crate::report) fn turning_arrow(
+    [x, y]: [f64; 2],
+    radius: f64,
+    counterclockwise: bool,
+) -> String {
     let [from, to] = match counterclockwise {
         true => [-0.42 * PI, 0.25 * PI],
         false => [0.25 * PI, -0.42 * PI],

@@ -1,7 +1,7 @@
 //! Names of pins, and the places at which they stand.
 
 use super::Drawing;
-use super::guides::place;
+use super::guides::point_in_ground;
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec, PointOf};
 
 /// Where the name of a pin begins, right of it and above (pixels).
@@ -21,7 +21,7 @@ pub(super) fn named_pins<'a>(
         room.into_iter().flat_map(move |room| {
             let end = drawn_end(pair);
             let frames = drawing.frames.iter();
-            frames.map(move |frame| (place(frame, end), room))
+            frames.map(move |frame| (point_in_ground(frame, end), room))
         })
     })
 }

@@ -1,7 +1,9 @@
 //! The parts of the picture: ground, guides, links, pins, labels; where motion comes in and goes
 //! out, and where forces act.
 
-use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
+use super::guides::{
+    bar_to_rails, block_height, line_across_rails, on_axis, point_in_ground, rails, travel,
+};
 use super::names::{NAME, drawn_end, ground_pin, names};
 use super::shape::{self, Block};
 use super::view::View;
@@ -135,10 +137,10 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
             let span = travel(drawing, index, view.extent);
             let height = block_height(pair, view.extent);
             let mut rails = rails(span, height, view.scale, false);
-            if let Some((from, along)) = stem(drawing, index, span) {
+            if let Some((from, along)) = bar_to_rails(drawing, index, span) {
                 let to = on_axis(pair, direction, along);
                 out.push_str(&bar(&format!("M{}L{}", pixel(from), pixel(to))));
-                rails.push_str(&yoke(along * view.scale, height * view.scale));
+                rails.push_str(&line_across_rails(along * view.scale, height * view.scale));
             }
             let _ = write!(
                 out,
@@ -192,7 +194,7 @@ fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> S
             continue;
         };
         let end = drawn_end(pair);
-        let at = frame.map_or(end.at, |frame| place(frame, end));
+        let at = frame.map_or(end.at, |frame| point_in_ground(frame, end));
         let [x, y] = view.pixel(at);
         let on = end.link.map_or(String::from("-1"), |link| link.to_string());
         let _ = writeln!(
@@ -240,7 +242,7 @@ impl Drawing<'_> {
         frame: usize,
     ) -> [f64; 2] {
         let point = self.place_of(output);
-        let pixel = |frame: &Vec<_>| view.pixel(place(frame, &point));
+        let pixel = |frame: &Vec<_>| view.pixel(point_in_ground(frame, &point));
         let places = self.frames.iter().map(pixel);
         let finite = places.filter(|[x, y]| x.is_finite() && y.is_finite());
         let farthest = finite.max_by(|a, b| a[0].total_cmp(&b[0]));

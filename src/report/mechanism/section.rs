@@ -20,7 +20,7 @@ impl Drawing<'_> {
     /// A position that is not there shows the links in their own frames.
     pub fn svg(&self, frame: usize) -> String {
         let view = View::of(self);
-        let note = self.note(frame);
+        let note = self.position_note(frame);
         let body = format!(
             "{markers}\n{parts}{marks}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n",
             markers = arrows::markers(self),
@@ -35,7 +35,7 @@ impl Drawing<'_> {
     }
 
     /// `crank angle 30 deg; speed, longest 0.63 m/s`.
-    fn note(&self, frame: usize) -> String {
+    fn position_note(&self, frame: usize) -> String {
         let value = self.axis.values.get(frame).copied().unwrap_or(f64::NAN);
         let value = format!(
             "{} {} {}",
@@ -88,7 +88,7 @@ impl Drawing<'_> {
     /// it turns by less than an angle (rad).
     pub(in crate::report) fn sense_mark(&self, view: &View, forward: bool, least: f64) -> String {
         marks::driving_turn(self, view, least).map_or(String::new(), |(pin, counterclockwise)| {
-            marks::sense(pin, marks::ARC, counterclockwise == forward)
+            marks::turning_arrow(pin, marks::ARC, counterclockwise == forward)
         })
     }
 
@@ -105,7 +105,7 @@ impl Drawing<'_> {
     }
 
     /// The parts at a position, without arrows.
-    pub(in crate::report) fn parts(&self, view: &View, frame: usize) -> String {
+    pub(in crate::report) fn draw_parts(&self, view: &View, frame: usize) -> String {
         parts::picture(self, view, frame)
     }
 

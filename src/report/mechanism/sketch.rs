@@ -17,7 +17,7 @@ pub(in crate::report) fn sketches(model: &Model, at: &BTreeMap<String, Vec<f64>>
         let part = &model.objects[body.object];
         let turning = part.coordinate == Coordinate::Turning;
         let (linkage, spec) = (&body.linkage, body.linkage.spec());
-        let course = courses::of_one(linkage, turning);
+        let course = courses::course_of_one(linkage, turning);
         let driven = |pair: usize| pair == spec.driver;
         sketch(&part.id, spec, linkage.structure(), &driven, vec![course])
     });

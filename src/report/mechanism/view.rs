@@ -29,26 +29,26 @@ pub(in crate::report) struct View {
 impl View {
     /// The view that holds every position of the drawing.
     pub(in crate::report) fn of(drawing: &Drawing<'_>) -> Self {
-        Self::within(drawing, f64::INFINITY)
+        Self::view_of_all_positions(drawing, f64::INFINITY)
     }
 
     /// The view that holds every position, of at most so many pixels a metre.
-    pub(in crate::report) fn within(drawing: &Drawing<'_>, most: f64) -> Self {
+    pub(in crate::report) fn view_of_all_positions(drawing: &Drawing<'_>, most: f64) -> Self {
         let mut area = Area::default();
         for point in &drawing.spec.ground {
-            area.take(point.at);
+            area.include_point(point.at);
         }
         for pair in &drawing.spec.pairs {
             for end in [&pair.on, &pair.link] {
                 if end.link.is_none() {
-                    area.take(end.at);
+                    area.include_point(end.at);
                 }
             }
         }
         for frame in &drawing.frames {
             for (link, placement) in frame.iter().enumerate() {
                 for corner in shape::corners(drawing.spec, link) {
-                    area.take(placement.point(corner));
+                    area.include_point(placement.point(corner));
                 }
             }
         }
@@ -58,24 +58,24 @@ impl View {
                 .iter()
                 .flat_map(|frame| shape::outline_corners(drawing.spec, frame))
             {
-                area.take(point);
+                area.include_point(point);
             }
         }
         for point in drawing.paths.iter().flat_map(|path| &path.points) {
-            area.take(*point);
+            area.include_point(*point);
         }
         let extent = area.extent().unwrap_or(1.0);
         for pair in 0..drawing.spec.pairs.len() {
             for point in guides::outline(drawing, pair, extent) {
-                area.take(point);
+                area.include_point(point);
             }
         }
         for set in &drawing.arrows {
             let scale = set.metres(extent);
             for arrow in &set.arrows {
                 for (at, vector) in arrow.at.iter().zip(&arrow.vector) {
-                    area.take(*at);
-                    area.take([at[0] + scale * vector[0], at[1] + scale * vector[1]]);
+                    area.include_point(*at);
+                    area.include_point([at[0] + scale * vector[0], at[1] + scale * vector[1]]);
                 }
             }
         }
@@ -83,12 +83,12 @@ impl View {
         let right = right_margin(drawing, &area, right, most);
         Self {
             extent,
-            ..Self::around(&area, right, most)
+            ..Self::view_of_area(&area, right, most)
         }
     }
 
     /// A view of an area; margins are [`MARGIN`] wide but for that on the right.
-    fn around(area: &Area, right_margin: f64, most: f64) -> Self {
+    fn view_of_area(area: &Area, right_margin: f64, most: f64) -> Self {
         let Some(extent) = area.extent() else {
             return Self {
                 width: 2.0 * MARGIN,
@@ -131,7 +131,7 @@ impl View {
 
 /// The margin on the right that the names of pins need, at the scale of a given one.
 fn right_margin(drawing: &Drawing<'_>, area: &Area, margin: f64, most: f64) -> f64 {
-    let scale = View::around(area, margin, most).scale;
+    let scale = View::view_of_area(area, margin, most).scale;
     let beyond = |([x, _], room): ([f64; 2], f64)| EDGE + room - (area.high[0] - x) * scale;
     let widest = named_pins(drawing).map(beyond);
     let widest = widest.filter(|room| room.is_finite());
@@ -161,7 +161,7 @@ impl Area {
         (extent.is_finite() && extent > 0.0).then_some(extent)
     }
 
-    fn take(&mut self, point: [f64; 2]) {
+    fn include_point(&mut self, point: [f64; 2]) {
         if point.iter().all(|value| value.is_finite()) {
             for axis in 0..2 {
                 self.low[axis] = self.low[axis].min(point[axis]);

@@ -138,7 +138,7 @@ fn series(line: &MethodLine, against: Against) -> Series {
             // A method that evaluates no right-hand side has no place here.
             Against::Evaluations => point.evaluations.filter(|&count| count > 0)? as f64,
         };
-        let mark = Mark::new(shape(point), note(line.method, point));
+        let mark = Mark::new(shape(point), point_note(line.method, point));
         Some(((x, position(point).unwrap_or(f64::NAN)), mark))
     });
     marked(line.method.name().to_owned(), line.method, points.collect())
@@ -166,7 +166,7 @@ fn shape(point: &Point) -> Shape {
     }
 }
 
-fn note(method: Method, point: &Point) -> String {
+fn point_note(method: Method, point: &Point) -> String {
     let error = point.error.map_or(String::new(), |error| {
         format!(", error {}", significant(error, 2))
     });
@@ -200,7 +200,7 @@ pub(super) fn methods(sweep: &Sweep) -> Vec<Method> {
 
 /// What became of a method at a value of the parameter.
 fn standing_note(sweep: &Sweep, x: f64, method: Method, standing: &MethodStanding) -> String {
-    let (place, verdict) = (sweep.axis.written(x), standing.verdict.words());
+    let (place, verdict) = (sweep.axis.value_with_unit(x), standing.verdict.words());
     format!("{method} at {place}: {verdict}: {}", standing.cause)
 }
 
@@ -246,7 +246,7 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
             slices.filter_map(move |slice| Some((slice.x, slice.standing(method)?)))
         };
         let point = |x: f64, y: f64| {
-            let place = sweep.axis.written(x);
+            let place = sweep.axis.value_with_unit(x);
             let note = format!("{method} at {place}: {} s", shown(y, 4));
             ((x, y), Mark::new(Shape::Good, note))
         };
@@ -283,7 +283,7 @@ pub fn regions(sweep: &Sweep) -> Plot {
         format!(", methods of fixed step at {}", with_unit(step, "s", 3))
     });
     let mut field = Field {
-        x: edges(sweep),
+        x: edges_between_values(sweep),
         y: (0..=methods.len()).map(|row| row as f64).collect(),
         kinds: VERDICTS
             .iter()
@@ -333,7 +333,7 @@ pub fn height_of_regions(sweep: &Sweep) -> f64 {
 }
 
 /// Edges midway between the values of the parameter; the first and the last are ends.
-fn edges(sweep: &Sweep) -> Vec<f64> {
+fn edges_between_values(sweep: &Sweep) -> Vec<f64> {
     let xs: Vec<f64> = sweep.slices.iter().map(|slice| slice.x).collect();
     let (Some(&first), Some(&last)) = (xs.first(), xs.last()) else {
         return vec![0.0, 1.0];

@@ -26,7 +26,7 @@ const TIMING: &str = "Filled marks: converged, the error is within the tolerance
 
 /// A verdict as good or bad news, with what is to be added.
 fn verdict(verdict: Verdict, note: impl Into<String>) -> Cell {
-    Cell::with(verdict.words(), note).judged(match verdict {
+    Cell::with_note(verdict.words(), note).with_outcome(match verdict {
         Verdict::Converged => Some(true),
         Verdict::NotJudged => None,
         _ => Some(false),

@@ -31,7 +31,7 @@ const HEAD: [&str; 18] = [
 pub fn methods_rows(study: &Study) -> Rows {
     let figures = figures(std::iter::once(study));
     let rows = points(study).map(|(line, point)| row(line, point, &figures));
-    Rows::new(head(&figures), rows)
+    Rows::new(column_names(&figures), rows)
 }
 
 /// The points over a parameter, whose value is the first column.
@@ -45,7 +45,7 @@ pub fn sweep_rows(sweep: &Sweep) -> Rows {
         "" => sweep.axis.path.clone(),
         unit => format!("{} [{unit}]", sweep.axis.path),
     };
-    Rows::new(std::iter::once(x).chain(head(&figures)), rows)
+    Rows::new(std::iter::once(x).chain(column_names(&figures)), rows)
 }
 
 fn points(study: &Study) -> impl Iterator<Item = (&MethodLine, &Point)> {
@@ -53,7 +53,7 @@ fn points(study: &Study) -> impl Iterator<Item = (&MethodLine, &Point)> {
     lines.flat_map(|line| line.points.iter().map(move |point| (line, point)))
 }
 
-fn head(figures: &[&str]) -> Vec<String> {
+fn column_names(figures: &[&str]) -> Vec<String> {
     let errors = figures.iter().map(|figure| format!("error of {figure}"));
     let fixed = HEAD.iter().map(|name| (*name).to_owned());
     fixed.chain(errors).collect()

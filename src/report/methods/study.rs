@@ -33,14 +33,14 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
             Against::Evaluations,
             "evaluations",
         ),
-        names(named),
+        names_section(named),
         match &study.reference {
             Some(found) => Section::new("Reference").figures(reference(study, found)),
-            None => no_reference(study),
+            None => no_reference_section(study),
         },
-        models(study),
-        Section::new("Points").table(points(study)),
-        limits(study),
+        models_section(study),
+        Section::new("Points").table(points_table(study)),
+        limits_section(study),
         Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     sections.retain(|section| !section.is_empty());
@@ -59,7 +59,7 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
 }
 
 /// The names of methods with what they are.
-pub(super) fn names(all: impl Iterator<Item = Method>) -> Section<'static> {
+pub(super) fn names_section(all: impl Iterator<Item = Method>) -> Section<'static> {
     let figures = all.map(|method| Figure::new(method.name(), method.words()));
     Section::new("Methods").figures(figures.collect())
 }
@@ -160,7 +160,7 @@ fn reference(study: &Study, reference: &Reference) -> Vec<Figure> {
     rows
 }
 
-fn no_reference(study: &Study) -> Section<'static> {
+fn no_reference_section(study: &Study) -> Section<'static> {
     let pairs = study.mutual_distances.iter();
     let row = |pair: &crate::studies::methods::Distance| {
         vec![
@@ -174,12 +174,12 @@ fn no_reference(study: &Study) -> Section<'static> {
         None => "None: no two methods agree, and no errors can be known.".to_owned(),
     };
     Section::new("Reference")
-        .words(words)
+        .with_paragraph(words)
         .table(Table::new(["one", "other", ">apart"]).rows(pairs.map(row)))
 }
 
 /// The models with their errors; nothing where they were not asked for.
-fn models(study: &Study) -> Section<'static> {
+fn models_section(study: &Study) -> Section<'static> {
     let Some(models) = &study.models else {
         return Section::default();
     };
@@ -199,7 +199,7 @@ fn models(study: &Study) -> Section<'static> {
     };
     let table = Table::new(["model", ">coordinates", ">error", ""]);
     Section::new("Models")
-        .words(
+        .with_paragraph(
             "Error of max|δ| against the continuum that the objects' data describe, the worst \
              object.",
         )
@@ -207,7 +207,7 @@ fn models(study: &Study) -> Section<'static> {
         .table(table.rows(models.tried.iter().map(row)))
 }
 
-fn points(study: &Study) -> Table {
+fn points_table(study: &Study) -> Table {
     let heads = [
         "method",
         ">setting",
@@ -228,7 +228,7 @@ fn row(line: &MethodLine, point: &Point) -> Vec<Cell> {
     let worst = figures.find(|figure| Some(figure.figure.as_str()) == worst);
     let error = match (point.is_reference, point.error) {
         (true, Some(error)) => format!("≤ {}", significant(error, 2)).into(),
-        (_, error) => Cell::known(error, "", 2),
+        (_, error) => Cell::known_number(error, "", 2),
     };
     let cause = match point.is_reference {
         true => "the reference",
@@ -237,25 +237,25 @@ fn row(line: &MethodLine, point: &Point) -> Vec<Cell> {
     vec![
         line.method.name().into(),
         match (point.tolerance, point.step) {
-            (Some(tolerance), _) => Cell::known(Some(tolerance), "", 1),
-            (_, step) => Cell::known(step, "s", 3),
+            (Some(tolerance), _) => Cell::known_number(Some(tolerance), "", 1),
+            (_, step) => Cell::known_number(step, "s", 3),
         },
         error,
         worst.map_or("–".into(), |worst| {
             let error = Value::new(worst.error.unwrap_or(f64::NAN), "", 2);
-            Cell::with(error, result_words(&worst.figure))
+            Cell::with_note(error, result_words(&worst.figure))
         }),
-        Cell::known(point.measured_seconds, "s", 3),
+        Cell::known_number(point.measured_seconds, "s", 3),
         count(point.evaluations),
         count(point.steps),
         count(point.switches),
-        Cell::known(point.rate_times_step, "", 3),
+        Cell::known_number(point.rate_times_step, "", 3),
         verdict(point.verdict, cause),
     ]
 }
 
 /// Limits of stability, theory beside measurement.
-fn limits(study: &Study) -> Section<'static> {
+fn limits_section(study: &Study) -> Section<'static> {
     let row = |line: &MethodLine| {
         let limit = &line.stability;
         let words = limit.place.or(limit.remark)?;
@@ -263,17 +263,17 @@ fn limits(study: &Study) -> Section<'static> {
         let degree = degree.map(|degree| format!(", series of degree {degree}"));
         Some(vec![
             line.method.name().into(),
-            Cell::known(limit.theory, "", 4),
-            Cell::known(limit.theory_step, "s", 3),
-            Cell::known(limit.measured, "", 4),
-            Cell::known(limit.measured_step, "s", 3),
+            Cell::known_number(limit.theory, "", 4),
+            Cell::known_number(limit.theory_step, "s", 3),
+            Cell::known_number(limit.measured, "", 4),
+            Cell::known_number(limit.measured_step, "s", 3),
             (words.to_owned() + &degree.unwrap_or_default()).into(),
         ])
     };
     let heads = ["method", ">|λ|h", ">step", ">measured |λ|h", ">step"];
     let table = Table::new(heads.into_iter().chain(["~where λ lies"]));
     Section::new("Limits of stability")
-        .words(format!(
+        .with_paragraph(format!(
             "Fastest rate |λ| of the system {} 1/s, all pairs engaged.",
             significant(study.fastest_rate, 4)
         ))

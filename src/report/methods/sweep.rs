@@ -1,7 +1,7 @@
 //! What a study of methods over a parameter found.
 
 use super::charts::{cost, height_of_regions, methods, regions, stable_steps};
-use super::study::names;
+use super::study::names_section;
 use super::{HEIGHT, TIMING, verdict};
 use crate::dynamics::integrate::Method;
 use crate::report::addresses::parameter_words;
@@ -36,9 +36,9 @@ pub fn sweep_findings<'a>(
     sections.extend(cost);
     sections.extend(stable);
     sections.extend([
-        names(methods(sweep).into_iter()),
-        standings(sweep),
-        causes(sweep),
+        names_section(methods(sweep).into_iter()),
+        standings_section(sweep),
+        causes_section(sweep),
         Section::default().drawing(|plots| mechanism(diagram, plots)),
     ]);
     Findings {
@@ -62,7 +62,13 @@ fn warnings(sweep: &Sweep) -> Vec<String> {
     let doubts = sweep.slices.iter();
     let doubts = doubts.filter_map(|slice| Some((slice.x, slice.study.doubt.as_ref()?)));
     doubts
-        .map(|(x, doubt)| format!("At {}: {}.", sweep.axis.written(x), doubt.sentence()))
+        .map(|(x, doubt)| {
+            format!(
+                "At {}: {}.",
+                sweep.axis.value_with_unit(x),
+                doubt.sentence()
+            )
+        })
         .collect()
 }
 
@@ -116,7 +122,7 @@ fn value(sweep: &Sweep, x: f64) -> String {
 }
 
 /// One row a value, one column a method.
-fn standings(sweep: &Sweep) -> Section<'static> {
+fn standings_section(sweep: &Sweep) -> Section<'static> {
     let methods = methods(sweep);
     let cell = |standing: Option<MethodStanding>| match standing {
         None => "–".into(),
@@ -142,7 +148,7 @@ fn standings(sweep: &Sweep) -> Section<'static> {
     let parameter = parameter_words(&sweep.axis.path);
     let table = Table::new(std::iter::once(parameter.as_str()).chain(heads));
     Section::new("Values")
-        .words(format!(
+        .with_paragraph(format!(
             "The verdict at the required tolerance{fixed}, and the least time to an error of δ \
              within {} of max|δ|.",
             significant(accuracy, 1)
@@ -151,7 +157,7 @@ fn standings(sweep: &Sweep) -> Section<'static> {
 }
 
 /// Cause of every verdict, and the greatest stable steps.
-fn causes(sweep: &Sweep) -> Section<'static> {
+fn causes_section(sweep: &Sweep) -> Section<'static> {
     let mut rows = Vec::new();
     for method in methods(sweep) {
         for slice in &sweep.slices {
@@ -161,9 +167,9 @@ fn causes(sweep: &Sweep) -> Section<'static> {
             rows.push(vec![
                 method.name().into(),
                 value(sweep, slice.x).into(),
-                Cell::known(standing.measured_seconds, "s", 3),
-                Cell::known(standing.stable_step, "s", 3),
-                Cell::known(standing.stable_step_by_theory, "s", 3),
+                Cell::known_number(standing.measured_seconds, "s", 3),
+                Cell::known_number(standing.stable_step, "s", 3),
+                Cell::known_number(standing.stable_step_by_theory, "s", 3),
                 verdict(standing.verdict, standing.cause),
             ]);
         }

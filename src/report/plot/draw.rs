@@ -8,7 +8,7 @@ impl Plot {
     /// The picture, `width` × `height` pixels, as a complete SVG document.
     pub fn svg(&self, width: f64, height: f64) -> String {
         let (width, height) = (width.max(160.0), height.max(140.0));
-        let body = self.whole(width, height, 0);
+        let body = self.whole_chart(width, height, 0);
         document(
             "dam-plot",
             [width, height],
@@ -19,13 +19,13 @@ impl Plot {
     }
 
     /// The chart with title and legend, number `index` of its document.
-    pub(super) fn whole(&self, width: f64, height: f64, index: usize) -> String {
+    pub(super) fn whole_chart(&self, width: f64, height: f64, index: usize) -> String {
         let (frame, legend) = self.layout(width, height);
         format!(
             "<g class=\"plot\" data-plot=\"{index}\" data-frame=\"{}\">\n{}<g class=\"legend\">{legend}</g>\n{}</g>\n",
-            frame.place(),
+            frame.pixel_box(),
             self.heading(&frame),
-            self.inside(&frame, index)
+            self.draw_inside_frame(&frame, index)
         )
     }
 
@@ -33,12 +33,12 @@ impl Plot {
     pub(in crate::report) fn panel(&self, frame: &Frame, head: &str, index: usize) -> String {
         format!(
             "<g class=\"plot\" data-plot=\"{index}\" data-frame=\"{}\">\n{head}{}</g>\n",
-            frame.place(),
-            self.inside(frame, index)
+            frame.pixel_box(),
+            self.draw_inside_frame(frame, index)
         )
     }
 
-    fn inside(&self, frame: &Frame, index: usize) -> String {
+    fn draw_inside_frame(&self, frame: &Frame, index: usize) -> String {
         let [x, y, w, h] = [frame.left, frame.top, frame.width, frame.height].map(coordinate);
         let strip = if self.has_strip() { STRIP } else { 0.0 };
         let (field, labels) = match &self.field {
@@ -69,14 +69,14 @@ impl Plot {
                 true => format!(" clip-path=\"url(#clip-{index})\""),
                 false => String::new(),
             },
-            phases = phases::drawn(&self.phases, frame),
-            ground = self.ground(frame),
+            phases = phases::draw_phases(&self.phases, frame),
+            ground = self.draw_background(frame),
             all = coordinate(frame.height + strip),
         )
     }
 
     /// Shaded parts and lines across the frame.
-    fn ground(&self, frame: &Frame) -> String {
+    fn draw_background(&self, frame: &Frame) -> String {
         let mut out = String::new();
         let foot = frame.top + frame.height;
         let strips = self.bands.iter().filter(|band| band.series.is_some());
@@ -140,7 +140,9 @@ impl Plot {
         let mut out = format!("<g data-series=\"{index}\">");
         for (point, mark) in series.points.iter().zip(&series.marks) {
             if let Some(spot) = frame.spot(*point) {
-                out.push_str(&marks::mark(spot, style, mark.shape, &mark.note, colour));
+                out.push_str(&marks::draw_mark(
+                    spot, style, mark.shape, &mark.note, colour,
+                ));
             } else if mark.shape != Shape::None {
                 // The script counts on one mark a point.
                 out.push_str("<g class=\"mark\" visibility=\"hidden\"></g>");
@@ -162,7 +164,7 @@ impl Plot {
 
 impl Frame {
     /// Left, top, width and height (pixels), for the script.
-    pub(super) fn place(&self) -> String {
+    pub(super) fn pixel_box(&self) -> String {
         let [left, top, width, height] =
             [self.left, self.top, self.width, self.height].map(coordinate);
         format!("{left} {top} {width} {height}")
@@ -186,7 +188,7 @@ fn shaded(frame: &Frame, spans: &[[f64; 2]], [top, height]: [f64; 2]) -> String 
             coordinate(a)
         );
     };
-    let clamp = |at: f64| frame.left + frame.x.share(at).clamp(0.0, 1.0) * frame.width;
+    let clamp = |at: f64| frame.left + frame.x.place_on_axis(at).clamp(0.0, 1.0) * frame.width;
     let mut last: Option<[f64; 2]> = None;
     for [a, b] in spans
         .iter()
@@ -219,7 +221,7 @@ fn path(series: &Series, frame: &Frame) -> String {
     let beside = |index: usize| {
         let mark = series.marks.get(index);
         mark.is_some_and(|mark| mark.shape.is_off_curve())
-            || (frame.lane && is_beyond(frame.y.share(points[index].1)))
+            || (frame.lane && is_beyond(frame.y.place_on_axis(points[index].1)))
     };
     let (mut out, mut pen_down, mut start) = (String::new(), false, 0);
     while start < points.len() {

@@ -138,7 +138,7 @@ impl Field {
         // Labels stand clear of the edges of the mechanism, and of other lines where there is
         // such a place.
         for line in self.lines.iter().filter(|line| line.edge) {
-            taken.extend(beads(line, frame));
+            taken.extend(boxes_along_line(line, frame));
         }
         let mut labels = String::new();
         for (index, line) in self.lines.iter().enumerate() {
@@ -161,7 +161,9 @@ impl Field {
             );
             let others = self.lines.iter().enumerate();
             let others = others.filter(|(other, line)| *other != index && !line.edge);
-            let others: Vec<[f64; 4]> = others.flat_map(|(_, line)| beads(line, frame)).collect();
+            let others: Vec<[f64; 4]> = others
+                .flat_map(|(_, line)| boxes_along_line(line, frame))
+                .collect();
             labels.push_str(&label(line, frame, &mut taken, &others));
         }
         (out, rings + &labels)
@@ -238,7 +240,7 @@ fn polyline(part: &[(f64, f64)], frame: &Frame) -> String {
 }
 
 /// Small boxes along a line.
-fn beads(line: &Contour, frame: &Frame) -> Vec<[f64; 4]> {
+fn boxes_along_line(line: &Contour, frame: &Frame) -> Vec<[f64; 4]> {
     let mut found = Vec::new();
     for ends in line.parts.iter().flat_map(|part| part.windows(2)) {
         let [a, b] = [ends[0], ends[1]].map(|(x, y)| [frame.x(x), frame.y(y)]);
@@ -274,9 +276,10 @@ fn label(line: &Contour, frame: &Frame, taken: &mut Vec<[f64; 4]>, others: &[[f6
     let free: Vec<_> = SHARES
         .map(place)
         .into_iter()
-        .filter(|(.., own)| !taken.iter().any(|other| meet(own, other)))
+        .filter(|(.., own)| !taken.iter().any(|other| boxes_overlap(own, other)))
         .collect();
-    let alone = |(.., own): &&(f64, f64, [f64; 4])| !others.iter().any(|other| meet(own, other));
+    let alone =
+        |(.., own): &&(f64, f64, [f64; 4])| !others.iter().any(|other| boxes_overlap(own, other));
     let Some(&(x, y, own)) = free.iter().find(alone).or(free.first()) else {
         return String::new();
     };
@@ -290,7 +293,7 @@ fn label(line: &Contour, frame: &Frame, taken: &mut Vec<[f64; 4]>, others: &[[f6
 }
 
 /// Whether two boxes (left, right, top, foot) have a point in common.
-fn meet(a: &[f64; 4], b: &[f64; 4]) -> bool {
+fn boxes_overlap(a: &[f64; 4], b: &[f64; 4]) -> bool {
     a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3]
 }
 

@@ -1,7 +1,9 @@
 //! Where frame, title and legend of a chart stand, and which ranges it shows.
 
 use super::scale::{Scale, ticks};
-use super::{Axis, LineStyle, Plot, Series, Shape, coordinate, fits, marks, palette, width_of};
+use super::{
+    Axis, LineStyle, Plot, Series, Shape, characters_per_line, coordinate, marks, palette, width_of,
+};
 use crate::report::quantity::{escape, shortened};
 use crate::report::symbols::{Setting, symbols};
 
@@ -36,17 +38,17 @@ pub(in crate::report) struct Frame {
 
 impl Frame {
     pub(super) fn x(&self, value: f64) -> f64 {
-        self.left + self.x.share(value) * self.width
+        self.left + self.x.place_on_axis(value) * self.width
     }
 
     pub(super) fn y(&self, value: f64) -> f64 {
-        self.top + (1.0 - self.y.share(value)) * self.height
+        self.top + (1.0 - self.y.place_on_axis(value)) * self.height
     }
 
     /// Where a marked point stands: in the lane where it has no value or one beyond the
     /// frame; `None`: nowhere.
     pub(super) fn spot(&self, (x, y): (f64, f64)) -> Option<[f64; 2]> {
-        let (x, share) = (self.x(x), self.y.share(y));
+        let (x, share) = (self.x(x), self.y.place_on_axis(y));
         let lane = (self.lane && is_beyond(share)).then_some(self.top - 0.5 * LANE);
         let inside = self.top + (1.0 - share) * self.height;
         let inside = share.is_finite().then_some(inside);
@@ -79,7 +81,7 @@ impl Entry {
         }
     }
 
-    fn room(&self) -> f64 {
+    fn room_beside_axis(&self) -> f64 {
         46.0 + width_of(&self.text)
     }
 }
@@ -94,10 +96,10 @@ pub(in crate::report) fn rows(
     let (mut out, mut x, mut row) = (String::new(), left, 0u32);
     let any = !entries.is_empty();
     for mut entry in entries {
-        let most = fits(right - left - 40.0, 12.2);
+        let most = characters_per_line(right - left - 40.0, 12.2);
         let whole = std::mem::take(&mut entry.text);
         entry.text = shortened(&whole, most);
-        let room = entry.room();
+        let room = entry.room_beside_axis();
         if x > left && x + room - 12.0 > right {
             (x, row) = (left, row + 1);
         }
@@ -125,7 +127,8 @@ impl Plot {
     pub(super) fn layout(&self, width: f64, height: f64) -> (Frame, String) {
         let left = self.left();
         let lane = self.needs_lane();
-        let (legend, legend_height) = rows(self.entries(), [left, width - RIGHT], HEAD + 8.0);
+        let (legend, legend_height) =
+            rows(self.legend_entries(), [left, width - RIGHT], HEAD + 8.0);
         let lane_height = if lane { LANE } else { 0.0 };
         let top = HEAD + legend_height + lane_height;
         let foot = match (self.plane, self.has_strip()) {
@@ -147,7 +150,7 @@ impl Plot {
         let (mut x, mut y) = (self.x_range(), self.y_range());
         let mut reach = 0.0;
         if self.plane {
-            reach = self.reach();
+            reach = self.height_needed();
             let half = (0.5 * width.min(height) - 20.0).max(10.0);
             let [a, b] = [0.5 * width / half, 0.5 * height / half].map(|share| share * reach);
             (x, y) = ([-a, a], [-b, b]);
@@ -205,7 +208,7 @@ impl Plot {
         !self.lane.is_empty() && points.any(|point| beyond(point.1))
     }
 
-    fn reach(&self) -> f64 {
+    fn height_needed(&self) -> f64 {
         let sizes = self.points().map(|(x, y)| x.hypot(y));
         let greatest = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
         if greatest == 0.0 {
@@ -260,7 +263,7 @@ impl Plot {
     }
 
     /// Everything that has a name: series, bands, lines, what is shaded, kinds of cells.
-    pub(super) fn entries(&self) -> Vec<Entry> {
+    pub(super) fn legend_entries(&self) -> Vec<Entry> {
         let mut list = Vec::new();
         let mut add = |sample: String, text: &str, series: Option<usize>| {
             if !text.is_empty() {
@@ -310,7 +313,7 @@ fn sample(series: &Series, index: usize) -> String {
         () => Shape::None,
     };
     let index = series.style.unwrap_or(index);
-    line + &marks::mark([13.0, 0.0], index, shape, "", |_| None)
+    line + &marks::draw_mark([13.0, 0.0], index, shape, "", |_| None)
 }
 
 /// Class and dashes of a curve; one with marks is told apart by these.
@@ -370,7 +373,7 @@ impl Plot {
             true => format!(", {}", frame.x.unit),
             false => unit,
         };
-        let room = fits(frame.width + RIGHT - width_of(&unit_of_plane), 13.5);
+        let room = characters_per_line(frame.width + RIGHT - width_of(&unit_of_plane), 13.5);
         format!(
             "<text class=\"title\" x=\"{}\" y=\"18\">{}<tspan class=\"unit\">{}</tspan></text>\n",
             coordinate(frame.left),

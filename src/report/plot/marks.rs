@@ -5,7 +5,7 @@ use crate::report::quantity::escape;
 
 /// The mark of a point: circle, square, triangle or diamond by series, about its place; series
 /// that have one colour have other marks. `colour`: that of a kind of cells.
-pub(super) fn mark(
+pub(super) fn draw_mark(
     [x, y]: [f64; 2],
     index: usize,
     shape: Shape,

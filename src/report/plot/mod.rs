@@ -300,7 +300,7 @@ impl Rule {
 }
 
 /// Characters per line that fit `width` at a font size, for a sans-serif face.
-pub(in crate::report) fn fits(width: f64, font_size: f64) -> usize {
+pub(in crate::report) fn characters_per_line(width: f64, font_size: f64) -> usize {
     (width / (0.56 * font_size)).max(3.0) as usize
 }
 

@@ -46,13 +46,18 @@ impl Plots {
 
     /// The columns, and the charts as JSON.
     #[cfg(feature = "live")]
-    pub(crate) fn parts(&self) -> (&[Vec<Option<f64>>], &[Value]) {
+    pub(crate) fn columns_and_charts(&self) -> (&[Vec<Option<f64>>], &[Value]) {
         (&self.columns, &self.plots)
     }
 
     /// A chart of the page whose picture is there already.
     #[cfg(feature = "live")]
-    pub(in crate::report) fn again(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) {
+    pub(in crate::report) fn chart_of_known_picture(
+        &mut self,
+        plot: &Plot,
+        [width, height]: [f64; 2],
+        link: &str,
+    ) {
         let (frame, _) = plot.layout(width, height);
         self.add(plot, &frame, link);
     }
@@ -97,7 +102,7 @@ impl Plots {
     pub fn figure(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) -> String {
         let index = self.first + self.plots.len();
         let (frame, _) = plot.layout(width, height);
-        let body = plot.whole(width, height, index);
+        let body = plot.whole_chart(width, height, index);
         self.add(plot, &frame, link);
         let (w, h) = (coordinate(width), coordinate(height));
         format!(
@@ -114,7 +119,8 @@ impl Plots {
             json!({ "name": axis.name, "unit": axis.unit, "log": axis.log, "ends": ends,
                     "fixed": axis.fixed, "rows": axis.rows })
         };
-        let free = plot.plane || plot.x.log || plot.y.log || plot.field.is_some() || folded(plot);
+        let free =
+            plot.plane || plot.x.log || plot.y.log || plot.field.is_some() || runs_back(plot);
         let mut value = json!({
             "id": plot.id,
             "title": plot.title,
@@ -130,7 +136,7 @@ impl Plots {
             value["plane"] = json!(plot.free_direction(frame));
         }
         if self.live {
-            value["frame"] = json!(frame.place());
+            value["frame"] = json!(frame.pixel_box());
         }
         if plot.start {
             value["start"] = json!(true);
@@ -188,7 +194,7 @@ impl Plots {
     /// The columns and the charts as JSON that cannot end the element it stands in.
     pub fn json(&self) -> String {
         let mut document = json!({ "columns": self.columns, "plots": self.plots });
-        let units = DisplayUnits::chosen();
+        let units = DisplayUnits::units_of_thread();
         if !units.is_empty() {
             let units = units
                 .into_iter()
@@ -200,7 +206,7 @@ impl Plots {
 }
 
 /// True where a curve runs back along the horizontal axis: values belong to points, not places.
-fn folded(plot: &Plot) -> bool {
+fn runs_back(plot: &Plot) -> bool {
     let back = |series: &super::Series| {
         let finite = series.points.iter().map(|point| point.0);
         let places: Vec<f64> = finite.filter(|x| x.is_finite()).collect();

@@ -88,7 +88,7 @@ impl MotionPhase {
 const NAME: f64 = 11.0;
 
 /// The phases in a frame, with their names at its top where there is room.
-pub(super) fn drawn(phases: &[MotionPhase], frame: &Frame) -> String {
+pub(super) fn draw_phases(phases: &[MotionPhase], frame: &Frame) -> String {
     let mut out = String::new();
     let right = frame.left + frame.width;
     for phase in phases {

@@ -1,7 +1,7 @@
 //! How values lie along an axis, and where its ticks stand.
 
 use super::{Axis, width_of};
-use crate::report::quantity::{scale, significant, superscript};
+use crate::report::quantity::{readable_scale, significant, superscript};
 
 /// An axis with its ends, ready to be drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +47,7 @@ impl Scale {
         let greatest = from.abs().max(to.abs());
         let wide = axis.log && (ends[1] - ends[0]).abs() > WIDE;
         let plain = wide || axis.fixed;
-        let shown = scale(if plain { 1.0 } else { 0.94 * greatest }, &axis.unit);
+        let shown = readable_scale(if plain { 1.0 } else { 0.94 * greatest }, &axis.unit);
         Self {
             log: axis.log,
             ends,
@@ -58,7 +58,7 @@ impl Scale {
     }
 
     /// Where a value lies, 0 … 1 within the axis; not a number where it has no place.
-    pub(in crate::report) fn share(&self, value: f64) -> f64 {
+    pub(in crate::report) fn place_on_axis(&self, value: f64) -> f64 {
         let value = match self.log {
             true if value > 0.0 => value.log10(),
             true => f64::NAN,
@@ -80,7 +80,7 @@ impl Scale {
             let rows = self.rows.iter().enumerate();
             return rows
                 .map(|(row, name)| Tick {
-                    share: self.share(row as f64 + 0.5),
+                    share: self.place_on_axis(row as f64 + 0.5),
                     label: name.clone(),
                     minor: false,
                     zero: false,
@@ -101,7 +101,7 @@ impl Scale {
             _ => ticks(ends[0], ends[1], count),
         };
         let tick = |&value: &f64| Tick {
-            share: self.share(value * self.factor),
+            share: self.place_on_axis(value * self.factor),
             label: found.label(value),
             minor: false,
             zero: value == 0.0,
@@ -119,7 +119,7 @@ impl Scale {
                 count,
             );
             let tick = |&value: &f64| Tick {
-                share: self.share(value * self.factor),
+                share: self.place_on_axis(value * self.factor),
                 label: found.label(value),
                 minor: false,
                 zero: false,
@@ -142,7 +142,7 @@ impl Scale {
                     continue;
                 }
                 list.push(Tick {
-                    share: self.share(value),
+                    share: self.place_on_axis(value),
                     label: if named {
                         self.label(value, lead, decade)
                     } else {
@@ -215,14 +215,14 @@ pub(in crate::report) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
         return Ticks::default();
     }
     let step = round_step(span / count.max(1) as f64);
-    enough([low, high], count, [step, round_step(0.4 * step)])
+    ticks_at_multiples([low, high], count, [step, round_step(0.4 * step)])
 }
 
 /// Least number of ticks that say how an axis is divided, if there is room for more.
 const FEW: usize = 3;
 
 /// Ticks at the multiples of a step, or of the next smaller one where these are too few.
-fn enough(ends: [f64; 2], count: usize, [step, finer]: [f64; 2]) -> Ticks {
+fn ticks_at_multiples(ends: [f64; 2], count: usize, [step, finer]: [f64; 2]) -> Ticks {
     let found = at_steps(ends, step);
     let more = at_steps(ends, finer);
     match found.values.len() < FEW && (FEW..=2 * count).contains(&more.values.len()) {
@@ -257,17 +257,17 @@ fn angle_ticks([low, high]: [f64; 2], count: usize) -> Ticks {
     let part = PARTS.iter().position(|part| raw <= *part * (1.0 + 1e-9));
     match part {
         _ if raw <= 5.0 => ticks(low, high, count),
-        Some(part) if PARTS[part] < 60.0 && within(high - low, ONE_TURN) => {
+        Some(part) if PARTS[part] < 60.0 && is_within(high - low, ONE_TURN) => {
             at_steps([low, high], 60.0)
         }
         Some(part) => {
             let steps = [PARTS[part], PARTS[part.saturating_sub(1)]];
-            enough([low, high], count, steps)
+            ticks_at_multiples([low, high], count, steps)
         }
         None if raw.is_finite() => {
             let turns = round_step(raw / 360.0);
             let finer = round_step(0.4 * turns).max(1.0);
-            enough(
+            ticks_at_multiples(
                 [low, high],
                 count,
                 [turns, finer].map(|turns| 360.0 * turns),
@@ -277,7 +277,7 @@ fn angle_ticks([low, high]: [f64; 2], count: usize) -> Ticks {
     }
 }
 
-fn within(value: f64, [least, most]: [f64; 2]) -> bool {
+fn is_within(value: f64, [least, most]: [f64; 2]) -> bool {
     (least..=most).contains(&value)
 }
 
@@ -366,14 +366,18 @@ mod tests {
             ..Axis::new("error", "")
         };
         let scale = Scale::new(&axis, [1e-9, 1e3]);
-        let shares = [1e-6, 1e-3, 1.0].map(|value| scale.share(value));
+        let shares = [1e-6, 1e-3, 1.0].map(|value| scale.place_on_axis(value));
         approx::assert_abs_diff_eq!(
             shares[1] - shares[0],
             shares[2] - shares[1],
             epsilon = 1e-12
         );
-        approx::assert_relative_eq!(scale.at(scale.share(3e-5)), 3e-5, max_relative = 1e-9);
-        assert!(scale.share(0.0).is_nan() && scale.share(-1.0).is_nan());
+        approx::assert_relative_eq!(
+            scale.at(scale.place_on_axis(3e-5)),
+            3e-5,
+            max_relative = 1e-9
+        );
+        assert!(scale.place_on_axis(0.0).is_nan() && scale.place_on_axis(-1.0).is_nan());
         let named = scale.ticks(300.0, 48.0);
         assert!(named.iter().any(|tick| tick.label == "10⁻⁶"));
     }

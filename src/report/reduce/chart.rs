@@ -19,7 +19,7 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
                 let error = (*model.errors.get(name)?)?;
                 let share = (error / limit.abs()).max(LEAST);
                 let point = (1e3 * model.seconds, share);
-                Some((point, mark(model, figure, error)))
+                Some((point, mark_of_model(model, figure, error)))
             });
             let mut points: Vec<_> = points.collect();
             points.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
@@ -43,7 +43,7 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
 }
 
 /// Filled for the reduced scene, crossed for the scene as given, open for the others.
-fn mark(model: &ModelTried, figure: &FigureAccuracy, error: f64) -> Mark {
+fn mark_of_model(model: &ModelTried, figure: &FigureAccuracy, error: f64) -> Mark {
     let levels = in_words(&model.levels);
     let levels = Some(levels).filter(|levels| !levels.is_empty());
     let words = levels.into_iter().chain(model.without.iter().cloned());

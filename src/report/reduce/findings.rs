@@ -1,7 +1,7 @@
 //! What looking for the smallest scene found, as data.
 
 use super::chart::chart;
-use super::{answer, counted, greatest, why};
+use super::{answer, counted, greatest, refusal_in_words};
 use crate::frontend::scene::in_words;
 use crate::report::accuracy;
 use crate::report::diagram::Diagram;
@@ -33,8 +33,8 @@ pub fn findings<'a>(
     };
     let mut sections = accuracy::sections(&reduction.certificate);
     sections.extend([
-        Section::new("Parts that the scene does not need").table(steps(reduction)),
-        Section::new("Size").table(sizes(reduction)),
+        Section::new("Parts that the scene does not need").table(steps_table(reduction)),
+        Section::new("Size").table(sizes_table(reduction)),
     ]);
     if let Some(chart) = chart(reduction) {
         let charts = Section::new("Error against cost");
@@ -62,11 +62,11 @@ pub fn findings<'a>(
     }
 }
 
-fn steps(reduction: &Reduction) -> Table {
+fn steps_table(reduction: &Reduction) -> Table {
     let row = |step: &Step| {
         let (left_out, says) = match &step.refused {
             None => (true, greatest(reduction, step)),
-            Some(refused) => (false, why(reduction, refused)),
+            Some(refused) => (false, refusal_in_words(reduction, refused)),
         };
         let verdict = Cell {
             good: Some(left_out),
@@ -84,7 +84,7 @@ fn steps(reduction: &Reduction) -> Table {
 }
 
 /// The scene as given beside the reduced one.
-fn sizes(reduction: &Reduction) -> Table {
+fn sizes_table(reduction: &Reduction) -> Table {
     let roles = [(Role::Given, "as given"), (Role::Reduced, "reduced")];
     let row = |(role, name): (Role, &str)| {
         let model = reduction.model(role)?;

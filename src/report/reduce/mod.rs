@@ -28,7 +28,7 @@ fn answer(reduction: &Reduction) -> String {
         return format!(
             "The scene as given is the answer. A smaller scene is accurate enough, but it runs slower: \
              {}.",
-            times(cost)
+            times_in_words(cost)
         );
     }
     let coordinates = |role| reduction.model(role).map(|model| model.coordinates);
@@ -44,9 +44,9 @@ fn answer(reduction: &Reduction) -> String {
     let size = match &reduction.cost {
         Some(cost) if cost.is_slower() => format!(
             "{size} It runs slower than the scene as given: {}.",
-            times(cost)
+            times_in_words(cost)
         ),
-        Some(cost) => format!("{size} Time of a run: {}.", times(cost)),
+        Some(cost) => format!("{size} Time of a run: {}.", times_in_words(cost)),
         None => size,
     };
     let size = format!("{}{size}", excess(reduction));
@@ -87,7 +87,7 @@ fn excess(reduction: &Reduction) -> String {
 }
 
 /// The measured times of both scenes.
-fn times(cost: &Cost) -> String {
+fn times_in_words(cost: &Cost) -> String {
     format!(
         "{} reduced, {} as given (least of {} runs each)",
         with_unit(cost.reduced.least, "s", 2),
@@ -116,7 +116,7 @@ fn greatest(reduction: &Reduction, step: &Step) -> String {
 }
 
 /// Why a step is not made, in words.
-fn why(reduction: &Reduction, refused: &Refusal) -> String {
+fn refusal_in_words(reduction: &Reduction, refused: &Refusal) -> String {
     match refused {
         Refusal::Figure {
             figure,
@@ -161,7 +161,7 @@ pub fn document(reduction: &Reduction) -> Value {
 }
 
 fn step(step: &Step) -> Value {
-    let (part, name) = part(&step.removal.part);
+    let (part, name) = part_in_words(&step.removal.part);
     let mut document = json!({
         "object": step.removal.object,
         "part": part,
@@ -187,7 +187,7 @@ fn step(step: &Step) -> Value {
     document
 }
 
-fn part(part: &Part) -> (&'static str, Option<&str>) {
+fn part_in_words(part: &Part) -> (&'static str, Option<&str>) {
     match part {
         Part::Level { .. } => ("level", None),
         Part::Opening => ("opening", None),

@@ -13,7 +13,7 @@ use super::html::{mechanism, runs};
 use super::machine::Machine;
 use super::quantity::{significant, units, with_unit};
 use super::sentence::Sentence;
-use super::thinned::drawn;
+use super::thinned::record_to_draw;
 use super::verdict::run_answer;
 use crate::dynamics::record::{Figures, Record};
 use crate::studies::order::Certificate;
@@ -48,7 +48,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         machine,
         ..
     } = *report;
-    let drawn = drawn(report.record);
+    let drawn = record_to_draw(report.record);
     let record = Rc::new(drawn.record);
     let samples = [report.record, &*record].map(|one| one.times.len() + one.closeups.times.len());
     let mut sections = vec![Section::default().drawing(|plots| mechanism(diagram, plots))];
@@ -62,13 +62,13 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
     sections.push(Section::default().legend(left_out.join(" ")));
     if let Some(certificate) = report.certificate {
         sections.extend(accuracy::sections(certificate));
-        sections.push(accuracy::chart(certificate));
+        sections.push(accuracy::chart_section(certificate));
     }
-    sections.extend(report.spread.map(|one| spread(one, figures)));
+    sections.extend(report.spread.map(|one| spread_section(one, figures)));
     let boxes = diagram.boxes.iter();
     let over = report.over;
-    sections.extend(boxes.map(|one| object(one, Rc::clone(&record), over)));
-    sections.push(switches(report.record, figures));
+    sections.extend(boxes.map(|one| object_section(one, Rc::clone(&record), over)));
+    sections.push(switches_section(report.record, figures));
     sections.push(Section::new("Run").figures(tables::statistics(figures)));
     sections.retain(has_rows);
     let count = figures.objects.len();
@@ -150,17 +150,17 @@ pub(in crate::report) fn objects<'a>(
     };
     let mut sections = vec![
         Section::new("Results")
-            .table(tables::figures(figures))
+            .table(tables::figures_table(figures))
             .legend(format!(
                 "Peaks and extremes also cover what lies between the {samples} samples {plots}"
             )),
         Section::new("Driving pairs")
-            .table(tables::pairs(figures))
+            .table(tables::pairs_table(figures))
             .legend(window(figures)),
-        Section::new("Stops").table(tables::stops(figures)),
-        Section::new("Impacts").table(tables::impacts(figures)),
+        Section::new("Stops").table(tables::stops_table(figures)),
+        Section::new("Impacts").table(tables::impacts_table(figures)),
         Section::new("Contact pressure").table(tables::contact_pressure_table(figures)),
-        Section::new("Joint friction").table(tables::joints(figures)),
+        Section::new("Joint friction").table(tables::joints_table(figures)),
     ];
     sections.retain(has_rows);
     sections
@@ -175,7 +175,7 @@ fn has_rows(section: &Section<'_>) -> bool {
 }
 
 /// The motion of an object.
-fn object<'a>(one: &'a ObjectBox, record: Rc<Record>, over: &'a Abscissa) -> Section<'a> {
+fn object_section<'a>(one: &'a ObjectBox, record: Rc<Record>, over: &'a Abscissa) -> Section<'a> {
     Section::default().drawing(move |plots| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         let series = [RunSeries {
@@ -228,10 +228,10 @@ fn unit_of(address: &str, figures: &Figures) -> String {
 }
 
 /// How far figures move under a tiny change.
-fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
+fn spread_section<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
     let moved = |by: Option<f64>, unit: &str| match by {
         None => Cell::from("gone"),
-        Some(_) => Cell::known(by, unit, 2),
+        Some(_) => Cell::known_number(by, unit, 2),
     };
     let row = |figure: &FigureSpread| {
         let unit = unit_of(&figure.figure, figures);
@@ -245,7 +245,7 @@ fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
             Value::new(figure.value, &unit, 7).into(),
             moved(figure.by_loads, &unit),
             moved(figure.by_tolerance, &unit),
-            Cell::from(mark).judged((!figure.determined).then_some(false)),
+            Cell::from(mark).with_outcome((!figure.determined).then_some(false)),
         ]
     };
     let heads = [
@@ -256,7 +256,7 @@ fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
         "~verdict",
     ];
     Section::new("Spread")
-        .words(format!(
+        .with_paragraph(format!(
             "How far each result changes if loads and gaps change by a share of {}, and if the \
              tolerance is multiplied by {}.",
             significant(spread.change, 7),
@@ -277,14 +277,14 @@ const OPEN_LIST: usize = 12;
 const MOST_LISTED: usize = 1000;
 
 /// Switches in order of time, on a page.
-fn switches<'a>(record: &Record, figures: &Figures) -> Section<'a> {
+fn switches_section<'a>(record: &Record, figures: &Figures) -> Section<'a> {
     let section = Section::new("Events");
     let count = record.switches.len();
     let listed = &record.switches[..count.min(MOST_LISTED)];
     let (Some(first), Some(last)) = (listed.first(), listed.last()) else {
         return section.legend("No contact separates or closes during the run.");
     };
-    let table = tables::switches(listed, figures);
+    let table = tables::switches_table(listed, figures);
     if count <= OPEN_LIST {
         return section.item(Item::Table(table));
     }

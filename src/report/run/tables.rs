@@ -4,7 +4,7 @@ use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
     EquationCheck, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
-use crate::report::findings::table::judged;
+use crate::report::findings::table::check_outcome;
 use crate::report::findings::{Cell, Figure, Table, Value};
 use crate::report::quantity::{DIGITS, significant, units, with_unit};
 use crate::studies::judgement::{Judgement, checks};
@@ -33,7 +33,7 @@ fn table<const N: usize>(
 }
 
 /// Figures of every object.
-pub(super) fn figures(figures: &Figures) -> Table {
+pub(super) fn figures_table(figures: &Figures) -> Table {
     let heads = [
         ">greatest |δ|",
         ">greatest δ",
@@ -62,7 +62,7 @@ pub(super) fn figures(figures: &Figures) -> Table {
 }
 
 /// Figures of every pair that can open.
-pub(super) fn pairs(figures: &Figures) -> Table {
+pub(super) fn pairs_table(figures: &Figures) -> Table {
     let heads = [
         ">in working order",
         ">separations",
@@ -106,14 +106,14 @@ fn order(judgement: Judgement, pair: &PairFigures, units: Units) -> Cell {
     match pair.margin {
         Some(margin) => {
             let least = with_unit(margin, units.force, DIGITS);
-            Cell::with(word, format!("least force {least}")).judged(good)
+            Cell::with_note(word, format!("least force {least}")).with_outcome(good)
         }
-        None => Cell::from(word).judged(good),
+        None => Cell::from(word).with_outcome(good),
     }
 }
 
 /// Figures of every stop.
-pub(super) fn stops(figures: &Figures) -> Table {
+pub(super) fn stops_table(figures: &Figures) -> Table {
     let heads = [
         ">closures",
         ">time in contact",
@@ -146,7 +146,7 @@ pub(super) fn contact_pressure_table(figures: &Figures) -> Table {
 }
 
 /// Impacts of every rigid contact.
-pub(super) fn impacts(figures: &Figures) -> Table {
+pub(super) fn impacts_table(figures: &Figures) -> Table {
     let heads = [">impacts", ">greatest impulse", ">energy lost"];
     table(heads, figures, |object, units| {
         let pair = object.pair.as_ref().and_then(|pair| pair.impacts);
@@ -161,7 +161,7 @@ pub(super) fn impacts(figures: &Figures) -> Table {
 }
 
 /// Figures of every linkage whose joints have friction.
-pub(super) fn joints(figures: &Figures) -> Table {
+pub(super) fn joints_table(figures: &Figures) -> Table {
     let heads = [">standstills", ">time at rest", ">energy lost"];
     table(heads, figures, |object, _| {
         let joints = object.joints.as_ref()?;
@@ -174,7 +174,7 @@ pub(super) fn joints(figures: &Figures) -> Table {
 }
 
 /// Switches, too many for a terminal.
-pub(super) fn switches(rows: &[SwitchRow], figures: &Figures) -> Table {
+pub(super) fn switches_table(rows: &[SwitchRow], figures: &Figures) -> Table {
     let row = |(index, row): (usize, &SwitchRow)| {
         vec![
             (index + 1).to_string().into(),
@@ -250,7 +250,7 @@ fn checked(figures: &Figures) -> impl Iterator<Item = Figure> {
     let equations = equations(&figures.run.equations);
     checks(figures).into_iter().filter_map(move |check| {
         let figure = match check.name {
-            "energy balance" => Figure::new("energy error", judged(&check)).checked(&check),
+            "energy balance" => Figure::new("energy error", check_outcome(&check)).checked(&check),
             "equations of motion" => Figure::new(check.name, equations.clone()).checked(&check),
             _ => Figure::check(&check),
         };

@@ -73,21 +73,22 @@ pub fn dot(diagram: &Diagram) -> String {
         } else {
             ""
         };
-        let label = [one.id.as_str(), one.kind.as_str(), one.detail.as_str()].map(quoted);
+        let label = [one.id.as_str(), one.kind.as_str(), one.detail.as_str()].map(dot_string);
         out.push_str(&format!(
             "  \"{}\" [label=\"{}\"{style}];\n",
-            quoted(&one.id),
+            dot_string(&one.id),
             label.join("\\n")
         ));
     }
     for one in &diagram.boxes {
-        let pair = pair_words(one).map_or(String::new(), |words| format!("\\n{}", quoted(&words)));
+        let pair =
+            pair_words(one).map_or(String::new(), |words| format!("\\n{}", dot_string(&words)));
         for input in &one.inputs {
-            let (from, to) = (&diagram.boxes[input.driver].id, quoted(&one.id));
-            let from = quoted(from);
+            let (from, to) = (&diagram.boxes[input.driver].id, dot_string(&one.id));
+            let from = dot_string(from);
             let label = match input.name.as_str() {
-                "" => format!("{}{pair}", quoted(&one.position)),
-                port => quoted(port),
+                "" => format!("{}{pair}", dot_string(&one.position)),
+                port => dot_string(port),
             };
             out.push_str(&format!("  \"{from}\" -> \"{to}\" [label=\"{label}\"];\n"));
             out.push_str(&format!(
@@ -99,7 +100,7 @@ pub fn dot(diagram: &Diagram) -> String {
 }
 
 /// Text for a quoted string of DOT.
-fn quoted(text: &str) -> String {
+fn dot_string(text: &str) -> String {
     text.replace('\\', "\\\\")
         .replace('"', "\\\"")
         .replace('\n', " ")

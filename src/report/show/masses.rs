@@ -24,13 +24,13 @@ pub struct Frequencies {
 /// The dynamic model of a scene as text.
 pub fn text(model: &Model, frequencies: &Frequencies) -> String {
     let mut out = String::new();
-    section(&mut out, "Masses", &masses(model));
-    section(&mut out, "Links", &links(model));
+    section(&mut out, "Masses", &masses_table(model));
+    section(&mut out, "Links", &links_table(model));
     section(&mut out, "Reduced to modes", &super::reduced::table(model));
     out.push_str(&linkages(model));
     out.push_str(&multi_linkages(model));
-    section(&mut out, "Driving pairs", &pairs(model));
-    section(&mut out, "Loads", &loads(model));
+    section(&mut out, "Driving pairs", &pairs_table(model));
+    section(&mut out, "Loads", &loads_table(model));
     section(
         &mut out,
         "Natural frequencies, undamped",
@@ -45,11 +45,11 @@ pub(in crate::report) fn html(model: &Model, frequencies: &Frequencies) -> Strin
     use crate::report::quantity::escape;
     let tables = [
         ("Natural frequencies, undamped", table_of(frequencies)),
-        ("Masses", masses(model)),
-        ("Links", links(model)),
+        ("Masses", masses_table(model)),
+        ("Links", links_table(model)),
         ("Reduced to modes", super::reduced::table(model)),
-        ("Driving pairs", pairs(model)),
-        ("Loads", loads(model)),
+        ("Driving pairs", pairs_table(model)),
+        ("Loads", loads_table(model)),
     ];
     let tables = tables.iter().map(|(title, table)| match table.html() {
         none if none.is_empty() => none,
@@ -78,7 +78,7 @@ fn objects(model: &Model) -> impl Iterator<Item = &ObjectPart> {
     order.into_iter().map(|index| &model.objects[index])
 }
 
-fn masses(model: &Model) -> Table {
+fn masses_table(model: &Model) -> Table {
     let mut table = Table::new(["object", "kind", ">mass", ">inertia J", "", "motion"]);
     for object in objects(model).filter(|object| object.kind != OUTPUT && object.kind != STOP) {
         let drivers = object.inputs.iter();
@@ -126,7 +126,7 @@ fn masses(model: &Model) -> Table {
     table
 }
 
-fn links(model: &Model) -> Table {
+fn links_table(model: &Model) -> Table {
     let mut table = Table::new([
         "object",
         ">link",
@@ -159,7 +159,7 @@ fn links(model: &Model) -> Table {
     table
 }
 
-fn pairs(model: &Model) -> Table {
+fn pairs_table(model: &Model) -> Table {
     let mut table = Table::new(["object", "closure", ">gap", "opens", "contact law"]);
     let linkage = |object: &ObjectPart| {
         let mut bodies = model.linkages.iter();
@@ -212,7 +212,7 @@ fn factor(loss: Loss, unit: &str) -> String {
     }
 }
 
-fn loads(model: &Model) -> Table {
+fn loads_table(model: &Model) -> Table {
     let mut table = Table::new(["object", "load", ">mass", "law"]);
     for object in objects(model).filter(|object| object.kind != STOP) {
         for (place, node) in object.nodes.iter().enumerate() {

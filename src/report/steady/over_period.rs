@@ -19,26 +19,26 @@ pub(super) fn sections<'a>(answer: &PeriodicAnswer) -> Vec<Section<'a>> {
     let Some(found) = &answer.over_period else {
         let missing = answer.over_period_missing.as_deref();
         let words = |why| format!("Works, extremes and events are not known: {why}.");
-        let section = |why| Section::new(heading).words(words(why));
+        let section = |why| Section::new(heading).with_paragraph(words(why));
         let sections = missing.map(section).into_iter();
-        return sections.chain([checks(answer)]).collect();
+        return sections.chain([checks_section(answer)]).collect();
     };
     let mut sections = vec![
-        Section::new(heading).figures(works(found)),
-        Section::new("Work of each drive over a period").table(drives(&found.drives)),
-        Section::new("Extremes over a period").table(extremes(&found.objects)),
+        Section::new(heading).figures(work_figures(found)),
+        Section::new("Work of each drive over a period").table(drives_table(&found.drives)),
+        Section::new("Extremes over a period").table(extremes_table(&found.objects)),
     ];
-    sections.push(events(&found.events));
-    sections.push(checks(answer));
+    sections.push(events_section(&found.events));
+    sections.push(checks_section(answer));
     sections
 }
 
-fn checks<'a>(answer: &PeriodicAnswer) -> Section<'a> {
+fn checks_section<'a>(answer: &PeriodicAnswer) -> Section<'a> {
     let checks = answer.checks();
     Section::new("Checks").figures(checks.iter().map(Figure::check).collect())
 }
 
-fn works(found: &OverPeriod) -> Vec<Figure> {
+fn work_figures(found: &OverPeriod) -> Vec<Figure> {
     let work = |name: &str, value: f64| Figure::number(name, value, "J", DIGITS);
     vec![
         Figure::number("period", found.period, "s", DIGITS),
@@ -53,7 +53,7 @@ fn works(found: &OverPeriod) -> Vec<Figure> {
     ]
 }
 
-fn drives(drives: &[DriveWork]) -> Table {
+fn drives_table(drives: &[DriveWork]) -> Table {
     let row = |own: &DriveWork| {
         vec![
             Cell::object(&own.id),
@@ -64,7 +64,7 @@ fn drives(drives: &[DriveWork]) -> Table {
     Table::new(["drive", ">work", ">mean power"]).rows(drives.iter().map(row))
 }
 
-fn extremes(objects: &[Extremes]) -> Table {
+fn extremes_table(objects: &[Extremes]) -> Table {
     let row = |own: &Extremes| {
         let force = own.max_contact_force;
         let force = force.map(|force| Value::new(force, own.force_unit, DIGITS).into());
@@ -88,10 +88,10 @@ fn extremes(objects: &[Extremes]) -> Table {
     Table::new(heads).rows(objects.iter().map(row))
 }
 
-fn events<'a>(events: &[Event]) -> Section<'a> {
+fn events_section<'a>(events: &[Event]) -> Section<'a> {
     let section = Section::new("Events over a period");
     if events.is_empty() {
-        return section.words("No separation, closure or impact over the period.");
+        return section.with_paragraph("No separation, closure or impact over the period.");
     }
     let row = |event: &Event| {
         vec![

@@ -1,10 +1,10 @@
 //! The periodic motion of elastic objects.
 
 use super::over_period;
-use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
+use super::rigid::{estimates_section, flywheel_figures, mean_speed, value, value_at_place};
 use crate::dynamics::steady::Extreme;
-use crate::report::csv::{Field, Rows, head};
-use crate::report::findings::table::judged;
+use crate::report::csv::{Field, Rows, column_heading};
+use crate::report::findings::table::check_outcome;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::{significant, with_unit};
@@ -68,7 +68,7 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
         );
     }
     vec![
-        value("period", part.period, "s").with(turns),
+        value("period", part.period, "s").with_note(turns),
         Figure::new("stability", stability),
         Figure::new("Floquet multipliers", multipliers),
         Figure::new("derivative by", part.how.as_str()),
@@ -81,7 +81,7 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
 /// How the drive turns.
 fn drive_figures(drive: &DriveFigures) -> Vec<Figure> {
     let speed = |name: &str, of: f64| value(name, of, "rad/s");
-    let extreme = |name: &str, of: Extreme| at(name, [of.value, of.at], "rad/s");
+    let extreme = |name: &str, of: Extreme| value_at_place(name, [of.value, of.at], "rad/s");
     let why = match drive.balance {
         Some(_) => "required, held by a constant moment",
         None => "a result: motor and load decide",
@@ -131,7 +131,7 @@ pub fn periodic_rows(answer: &PeriodicAnswer) -> Rows {
     let header = ["phi [rad]", "t [s]", "omega [rad/s]", "epsilon [rad/s^2]"];
     let deviations = answer.parts.iter().flat_map(|part| {
         let names = part.orbit.iter();
-        names.map(|(name, _)| head(&format!("{name}: deviation"), &part.unit))
+        names.map(|(name, _)| column_heading(&format!("{name}: deviation"), &part.unit))
     });
     let rows = drive.rows.iter().map(|row| {
         let own = [row.position, row.time, row.speed, row.acceleration];
@@ -155,7 +155,7 @@ pub fn periodic_findings<'a>(
         let charts = drive_charts(drive).into();
         let section = section.figures(drive_figures(drive));
         sections.push(section.charts(Layout::Wide(340.0), "cycle", charts));
-        sections.extend(drive.flywheel.as_ref().map(estimates));
+        sections.extend(drive.flywheel.as_ref().map(estimates_section));
     }
     for part in &answer.parts {
         let section = Section::new(format!("Periodic motion of {}", part.objects.join(", ")));
@@ -214,10 +214,10 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
     };
     let checks = answer.checks();
     let text = match checks.iter().find(|check| !check.passed()) {
-        Some(failed) => format!("{}: {}.", capitalised(failed.name), judged(failed)),
+        Some(failed) => format!("{}: {}.", capitalised(failed.name), check_outcome(failed)),
         None => format!("{} checks are within their bounds.", checks.len()),
     };
-    Verdict::judged(judgement, headline.to_owned(), text)
+    Verdict::of_judgement(judgement, headline.to_owned(), text)
 }
 
 /// The multipliers in the unit circle.

@@ -18,19 +18,19 @@ pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
 }
 
 /// A quantity and the angle of the drive at which it is met.
-pub(super) fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
+pub(super) fn value_at_place(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
     let place = Value::angle_or(place, "rad", 7).words();
-    value(name, amount, unit).with(format!("at φ = {place}"))
+    value(name, amount, unit).with_note(format!("at φ = {place}"))
 }
 
 /// A speed, in turns a minute as well.
 pub(super) fn mean_speed(speed: f64, why: &str) -> Figure {
     let shown = value("mean speed", speed, "rad/s");
     if shown.value.words().ends_with("rpm") {
-        return shown.with(format!("({why})"));
+        return shown.with_note(format!("({why})"));
     }
     let turns = result(speed * 60.0 / std::f64::consts::TAU, 8);
-    shown.with(format!("= {turns} rpm ({why})"))
+    shown.with_note(format!("= {turns} rpm ({why})"))
 }
 
 /// The motion over a cycle, its flywheel, how independent ways agree.
@@ -87,12 +87,12 @@ pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findi
     Findings {
         title: shown.title.to_owned(),
         subtitle: "steady motion".to_owned(),
-        answer: Some(Verdict::judged(judgement, headline, text)),
+        answer: Some(Verdict::of_judgement(judgement, headline, text)),
         warnings: f.warnings.clone(),
         sections: vec![
             Section::new("Results").figures(figures(shown)),
             flywheel(wheel),
-            flywheel(estimates),
+            flywheel(estimates_section),
             Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
             diagram,
             Section::new("Agreement").figures(agreement(shown, &checks)),
@@ -107,8 +107,9 @@ fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
         Some(_) => "a result: a moment depends on the speed",
         None => f.mean.words(),
     };
-    let extreme =
-        |name, found: crate::dynamics::steady::Extreme| at(name, [found.value, found.at], "rad/s");
+    let extreme = |name, found: crate::dynamics::steady::Extreme| {
+        value_at_place(name, [found.value, found.at], "rad/s")
+    };
     let reference = [f.reference_energy, f.reference_position];
     let mut figures = vec![
         mean_speed(f.mean_speed, why),
@@ -120,7 +121,7 @@ fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
         value("fluctuation δ", f.fluctuation, ""),
         value("period", f.period, "s"),
         value("T at φ = 0", f.energy_at_start, "J"),
-        at("E₀, T at the least J", reference, "J"),
+        value_at_place("E₀, T at the least J", reference, "J"),
         value("fluctuation of the work", f.energy_fluctuation, "J"),
     ];
     // Less is rounding.
@@ -135,7 +136,7 @@ fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
             true => "(others settle on it)",
             false => "(others leave it)",
         };
-        figures.push(value("multiplier of a cycle", regime.multiplier, "").with(attracts));
+        figures.push(value("multiplier of a cycle", regime.multiplier, "").with_note(attracts));
         let others = regime.others.iter();
         figures.extend(others.map(|&other| value("another steady mean speed", other, "rad/s")));
     }
@@ -192,12 +193,12 @@ pub(super) fn flywheel_figures(wheel: &Flywheel) -> Vec<Figure> {
 }
 
 /// What textbooks say of a flywheel, and what it would do.
-pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
+pub(super) fn estimates_section<'a>(wheel: &Flywheel) -> Section<'a> {
     let row = |one: &Approximation| {
         vec![
             Cell::from(one.words),
             Value::new(one.inertia, "kg m²", 7).into(),
-            Cell::known(one.error.map(|error| 100.0 * error), "%", 3),
+            Cell::known_number(one.error.map(|error| 100.0 * error), "%", 3),
             match one.fluctuation {
                 Some(found) => Value::new(found, "", 5).into(),
                 None => STOPS.into(),

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::{Closure, Coordinate};
 use crate::report::diagram::{Diagram, ObjectBox, Place};
-use crate::report::plot::{Plots, coordinate, document, fits};
+use crate::report::plot::{Plots, characters_per_line, coordinate, document};
 use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;
@@ -33,14 +33,14 @@ pub(in crate::report) const STYLE: &str = "\
 
 /// The picture by itself.
 pub fn svg(diagram: &Diagram) -> String {
-    let (size, body) = drawn(diagram, false);
+    let (size, body) = draw_diagram(diagram, false);
     document("dam-graph", size, "Object graph", STYLE, &body)
 }
 
 /// The picture as part of a page, which gives the colours: every box is a link to its anchor
 /// `#object-ID`.
-pub(in crate::report) fn linked(diagram: &Diagram, plots: &Plots) -> String {
-    let ([width, height], body) = drawn(diagram, true);
+pub(in crate::report) fn diagram_with_links(diagram: &Diagram, plots: &Plots) -> String {
+    let ([width, height], body) = draw_diagram(diagram, true);
     let (w, h) = (coordinate(width), coordinate(height));
     format!(
         "<svg class=\"dam-graph\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
@@ -49,7 +49,7 @@ pub(in crate::report) fn linked(diagram: &Diagram, plots: &Plots) -> String {
     )
 }
 
-fn drawn(diagram: &Diagram, links: bool) -> ([f64; 2], String) {
+fn draw_diagram(diagram: &Diagram, links: bool) -> ([f64; 2], String) {
     let places = diagram.places();
     let columns = places.iter().map(|p| p.column).max().unwrap_or(0) as f64;
     // Boxes above each other give the distance of rows; the middles of a row stand level.
@@ -107,7 +107,10 @@ fn object_box(one: &ObjectBox, (x, y): Corner, links: bool) -> String {
         format!(
             "<text class=\"{class}\" x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
             coordinate(words + dy),
-            escape(&shortened(text, fits(BOX_WIDTH - 12.0, size)))
+            escape(&shortened(
+                text,
+                characters_per_line(BOX_WIDTH - 12.0, size)
+            ))
         )
     };
     let detail = match one.is_drive() {
@@ -208,7 +211,7 @@ fn edge(
         )
     };
     let label_x = (bend + 26.0 + end) / 2.0;
-    let room = fits(COLUMN - BOX_WIDTH - 14.0, 12.0);
+    let room = characters_per_line(COLUMN - BOX_WIDTH - 14.0, 12.0);
     // Between the arrows of several inputs there is no room for it.
     let ports = match name.is_empty() {
         true => format!(
@@ -233,13 +236,13 @@ fn edge(
         coordinate((bend + 10.0 + end) / 2.0),
         coordinate(forward_to - 9.0),
         escape(law),
-        escape(&cut(law, room.min(26))),
+        escape(&shortened_formula(law, room.min(26))),
         pair,
     )
 }
 
 /// A formula cut off at its end: its beginning says what kind it is.
-fn cut(text: &str, length: usize) -> String {
+fn shortened_formula(text: &str, length: usize) -> String {
     if text.chars().count() <= length {
         return text.to_owned();
     }
@@ -285,7 +288,7 @@ fn pair_symbol(one: &ObjectBox, x: f64, y: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{linked, svg};
+    use super::{diagram_with_links, svg};
     use crate::report::diagram::Diagram;
     use crate::report::fixture;
     use crate::report::plot::Plots;
@@ -294,7 +297,7 @@ mod tests {
     fn every_object_is_drawn_and_nothing_breaks_out() {
         let mut diagram = Diagram::of(&fixture::fan_out());
         diagram.boxes[1].kind = "<script>&".into();
-        let picture = linked(&diagram, &Plots::default());
+        let picture = diagram_with_links(&diagram, &Plots::default());
         for one in &diagram.boxes {
             assert!(picture.contains(&format!("href=\"#object-{}\"", one.id)));
         }

@@ -6,7 +6,7 @@ use crate::dynamics::model::{
 };
 use crate::report::diagram::pair;
 use crate::report::order::drivers_first;
-use crate::report::plot::{coordinate, fits};
+use crate::report::plot::{characters_per_line, coordinate};
 use crate::report::quantity::{escape, shortened, with_unit};
 use crate::report::show::{motion, units};
 
@@ -31,7 +31,7 @@ pub(in crate::report) fn svg(model: &Model) -> String {
     let mut width = 0.0_f64;
     let mut rows = String::new();
     for (place, &index) in shown.iter().enumerate() {
-        let (row, end) = Row::new(model, index).drawn();
+        let (row, end) = Row::new(model, index).into_drawing();
         width = width.max(end);
         let y = coordinate(MARGIN + ROW * place as f64 + LINE);
         let id = escape(&model.objects[index].id);
@@ -67,7 +67,7 @@ impl<'m> Row<'m> {
         }
     }
 
-    fn drawn(mut self) -> (String, f64) {
+    fn into_drawing(mut self) -> (String, f64) {
         self.name();
         let first = self.part.nodes.first();
         match first.map(|&node| &self.model.nodes[node].motion) {
@@ -96,7 +96,7 @@ impl<'m> Row<'m> {
 
     fn text(&mut self, class: &str, x: f64, y: f64, room: f64, words: &str) {
         let size = if class.contains("id") { 13.5 } else { 11.0 };
-        let shown = escape(&shortened(words, fits(room, size)));
+        let shown = escape(&shortened(words, characters_per_line(room, size)));
         let (x, y) = (coordinate(x), coordinate(y));
         self.out.push_str(&format!(
             "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"><title>{}</title>{shown}</text>",

@@ -6,12 +6,13 @@
 use super::disc_cam;
 use super::elastic::{ElasticContact, Missing};
 use super::force::{CamForce, LiftOff, Reserve};
+use super::speed_search::SpeedSearch;
 use crate::dynamics::model::Closure;
 use crate::fault::Fault;
 use crate::frontend::scene::TypedScene;
 use crate::kinematics::cam::At;
 use crate::kinematics::cam::closing::LetsGo;
-use crate::studies::rigid::elastic;
+use crate::studies::rigid::elastic_objects;
 
 /// Names of these results.
 pub const CONTACT_RESULTS: [&str; 4] =
@@ -40,7 +41,7 @@ pub fn contact_result(
         .objects
         .get(id)
         .is_some_and(|one| one.object.cam().is_some());
-    if described && elastic(model).is_empty() {
+    if described && elastic_objects(model).is_empty() {
         let cam = disc_cam(scene, model, id)?;
         let force = CamForce::new(model, contact.object, &cam, None).map_err(refused)?;
         return of_closed_form(&force, name).map(Some).map_err(refused);
@@ -71,11 +72,17 @@ fn of_closed_form(force: &CamForce<'_>, name: &str) -> Result<f64, String> {
     }
 }
 
+fn lift_off(contact: ElasticContact<'_>) -> Result<LiftOff, Missing> {
+    let search = SpeedSearch::of_scene(contact.system.model(), contact.object);
+    let search = search.map_err(|why| contact.refused(why))?;
+    contact.lift_off(&search, &mut |_| ())
+}
+
 fn by_runs(contact: ElasticContact<'_>, name: &str) -> Result<f64, Missing> {
     let id = &contact.system.model().objects[contact.object].id;
     let refused = |why: String| Err(Missing::Refused(vec![Fault::new(id, why, "")]));
     match name {
-        "lift_off_speed" => match contact.lift_off()? {
+        "lift_off_speed" => match lift_off(contact)? {
             LiftOff::At(speed) => Ok(speed),
             LiftOff::Above(speed) => refused(format!(
                 "it stays in contact at all speeds of the cam that were tried, up to {speed} rad/s"

@@ -1,21 +1,18 @@
-//! The contact of a follower with its elasticity, by runs of the dynamic model: whether it opens
-//! in the steady motion, its least force there, the speed at which it opens, and the preload
-//! that keeps it closed.
+//! The contact of a follower with its elasticity, by runs of the dynamic model: its least force in
+//! the steady motion, and the preload that keeps it closed.
 
 use super::closing_spring::ClosingLoads;
-use super::force::{ElasticFigures, LiftOff, lift_off};
+use super::force::ElasticFigures;
 use super::speed_search::SpeedSearch;
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::{Closure, Model, Span, SpanAxis, SpanFigure};
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::system::System;
 use crate::dynamics::trajectory::Trajectory;
-use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::kinematics::cam::At;
 use crate::studies::demand::Demand;
 use crate::studies::document::stop_in_words;
-use crate::studies::judgement::Judgement;
 use crate::studies::run::{Motion, motion};
 use crate::studies::{Control, RunSettings};
 use std::f64::consts::TAU;
@@ -31,17 +28,6 @@ const STEADY: f64 = 1e-6;
 const MOST_RAISES: usize = 8;
 /// Share of the least contact force by which it may differ from a straight line over the preload.
 const STRAIGHT: f64 = 1e-3;
-
-/// State of a pair in the steady part of a run at one speed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Steady {
-    /// The pair stays closed in the last cycle.
-    Closed,
-    /// The pair opens there, or the run gave up on too many switches.
-    Opens,
-    /// The run was ended from outside.
-    Interrupted,
-}
 
 /// Contact force along the displacement of a follower in the steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,52 +61,12 @@ pub struct ElasticContact<'s> {
     pub control: &'s Control<'s>,
 }
 
-/// Whether the pair of an object (index in the model) opens in the last whole
-/// cycle of a run as long as the scene's, at least four cycles: by exact
-/// propagation where the system qualifies, else by the scene's method.
-///
-/// # Errors
-/// The run has no start, no cycle, or stops (a dead-centre position).
-pub fn steady_contact(
-    system: &System,
-    object: usize,
-    settings: &RunSettings,
-    control: &Control<'_>,
-) -> Result<Steady, Vec<Fault>> {
-    let contact = ElasticContact {
-        system,
-        object,
-        settings,
-        control,
-    };
-    let cycle = contact.cycle()?;
-    let settings = contact.run_of(cycle, contact.cycles(cycle));
-    let demand = Demand {
-        figures: Some(&|_| RequestedFigures::DEVIATION),
-        laws: None,
-        checked: true,
-    };
-    let found = motion(system, &settings, demand, control, &mut [])?;
-    match &found.outcome.stop {
-        Stop::Interrupted | Stop::WallClock { .. } => return Ok(Steady::Interrupted),
-        Stop::Complete | Stop::TooManySwitches { .. } => {}
-        stop => return Err(contact.refusal(stop_in_words(stop).1)),
-    }
-    let pair = found.recorded.figures[object].pair.as_ref();
-    let judged = pair.map(Judgement::of_pair);
-    Ok(if judged == Some(Judgement::InWorkingOrder) {
-        Steady::Closed
-    } else {
-        Steady::Opens
-    })
-}
-
 impl ElasticContact<'_> {
-    fn model(&self) -> &Model {
+    pub(super) fn model(&self) -> &Model {
         self.system.model()
     }
 
-    fn id(&self) -> &str {
+    pub(super) fn id(&self) -> &str {
         &self.model().objects[self.object].id
     }
 
@@ -128,7 +74,7 @@ impl ElasticContact<'_> {
         vec![Fault::new(self.id(), why.into(), "")]
     }
 
-    fn refused(&self, why: impl Into<String>) -> Missing {
+    pub(super) fn refused(&self, why: impl Into<String>) -> Missing {
         Missing::Refused(self.refusal(why))
     }
 
@@ -145,7 +91,7 @@ impl ElasticContact<'_> {
         cycles.clamp(CYCLES, MOST_CYCLES)
     }
 
-    fn run_of(&self, cycle: f64, cycles: f64) -> RunSettings {
+    pub(super) fn run_of(&self, cycle: f64, cycles: f64) -> RunSettings {
         RunSettings {
             duration: cycle * cycles,
             samples: 100,
@@ -195,15 +141,7 @@ impl ElasticContact<'_> {
     fn last_cycles(&self, cycle: f64, cycles: f64) -> Result<([f64; 2], SteadyForce), Missing> {
         let mut settings = self.run_of(cycle, cycles);
         let end = settings.duration;
-        let span = |figure: &str, from: f64, to: f64| SpanFigure {
-            address: format!("{figure} {from}"),
-            figure: format!("{}.{figure}", self.id()),
-            span: Span {
-                axis: SpanAxis::Time,
-                from,
-                to,
-            },
-        };
+        let span = |figure: &str, from: f64, to: f64| self.span(figure, [from, to]);
         settings.spans = vec![
             span("pair.margin", end - 2.0 * cycle, end - cycle),
             span("pair.margin", end - cycle, end),
@@ -228,7 +166,20 @@ impl ElasticContact<'_> {
         Ok(([value(0)?.value, value(2)?.value], force))
     }
 
-    fn motion(&self, settings: &RunSettings) -> Result<Motion, Missing> {
+    /// A figure of the object within a span of time (s).
+    pub(super) fn span(&self, figure: &str, [from, to]: [f64; 2]) -> SpanFigure {
+        SpanFigure {
+            address: format!("{figure} {from}"),
+            figure: format!("{}.{figure}", self.id()),
+            span: Span {
+                axis: SpanAxis::Time,
+                from,
+                to,
+            },
+        }
+    }
+
+    pub(super) fn motion(&self, settings: &RunSettings) -> Result<Motion, Missing> {
         let found = motion(
             self.system,
             settings,
@@ -239,7 +190,7 @@ impl ElasticContact<'_> {
         let found = found.map_err(Missing::Refused)?;
         match &found.outcome.stop {
             Stop::Interrupted | Stop::WallClock { .. } => Err(Missing::Interrupted),
-            Stop::Complete => match found.doubt(settings) {
+            Stop::Complete => match found.reason_for_doubt(settings) {
                 None => Ok(found),
                 Some(why) => Err(self.refused(format!("its run is not to be trusted: {why}"))),
             },
@@ -257,7 +208,7 @@ impl ElasticContact<'_> {
     }
 
     /// The same contact in a changed model.
-    fn of<'t>(&'t self, system: &'t System) -> ElasticContact<'t> {
+    pub(super) fn of<'t>(&'t self, system: &'t System) -> ElasticContact<'t> {
         ElasticContact { system, ..*self }
     }
 
@@ -318,26 +269,8 @@ impl ElasticContact<'_> {
         Some(found)
     }
 
-    fn system_of(&self, model: Model) -> Result<System, Missing> {
+    pub(super) fn system_of(&self, model: Model) -> Result<System, Missing> {
         System::new(model).map_err(Missing::Refused)
-    }
-
-    /// The speed of the cam (rad/s) at which the contact begins to open.
-    ///
-    /// # Errors
-    /// The contact is not closed by force; there is no constant speed to begin with; the runs.
-    pub fn lift_off(&self) -> Result<LiftOff, Missing> {
-        let search = SpeedSearch::of_scene(self.model(), self.object);
-        let search = search.map_err(|why| self.refused(why))?;
-        lift_off(search.start, |speed| {
-            let system = self.system_of(search.model_at(self.model(), speed))?;
-            let found = steady_contact(&system, self.object, self.settings, self.control);
-            match found.map_err(Missing::Refused)? {
-                Steady::Closed => Ok(false),
-                Steady::Opens => Ok(true),
-                Steady::Interrupted => Err(Missing::Interrupted),
-            }
-        })
     }
 
     /// The least preload of the closing spring (N or N·m) with which closed contact is a steady

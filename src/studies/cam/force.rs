@@ -7,7 +7,7 @@ use crate::kinematics::cam::closing::{ClosingSpring, ClosureProblem, LetsGo, Rat
 use crate::kinematics::cam::search::greatest_over;
 use crate::kinematics::cam::{At, DiscCam, Surface};
 use crate::studies::judgement::Judgement;
-pub(super) use crate::studies::law::{LiftOff, lift_off};
+pub(super) use crate::studies::law::{LiftOff, edge_between, lift_off};
 use crate::studies::rigid::Rigid;
 use crate::units::shown;
 use serde::Serialize;
@@ -60,8 +60,8 @@ pub struct ForceFigures {
     pub lets_go: Option<LetsGo>,
     /// The spring that would keep contact at the speed.
     pub closing: Option<SpringAnswer>,
-    /// With the follower's elasticity: the speed (rad/s of the drive) at which the pair opens in
-    /// the last cycle of a run; null unless it was looked for.
+    /// With the follower's elasticity: the least speed of the cam (rad/s) at which its steady motion
+    /// with closed contact ceases; null unless it was looked for.
     pub elastic: Option<LiftOff>,
     /// With the follower's elasticity, by runs at the speed; null unless lift-off was looked for in
     /// an elastic scene.
@@ -84,13 +84,19 @@ pub struct ElasticFigures {
 }
 
 /// Share to which the speed of an elastic lift-off is known.
-const SEARCHED: f64 = 1e-3;
+const SEARCHED: f64 = 1e-5;
 
 impl ForceFigures {
-    /// The verdict on the contact, which is closed where everything is rigid: elastic objects
-    /// are judged by the search for the speed at which theirs opens.
+    /// The verdict on the contact, which is closed where everything is rigid. Elastic objects are
+    /// judged by their margin at the speed, else by the speed at which theirs opens.
     pub fn contact_verdict(&self) -> Judgement {
         let speed = self.speed.abs();
+        if let (Some(_), Some(margin)) = (&self.rigid, self.elastic_margin()) {
+            return match margin > 0.0 {
+                true => Judgement::InWorkingOrder,
+                false => Judgement::NotInWorkingOrder,
+            };
+        }
         match (&self.rigid, self.elastic) {
             (None, _) => Judgement::InWorkingOrder,
             (Some(_), Some(LiftOff::At(opens))) if speed <= opens * (1.0 - SEARCHED) => {
@@ -105,6 +111,20 @@ impl ForceFigures {
                 Judgement::NotJudged
             }
         }
+    }
+
+    fn elastic_margin(&self) -> Option<f64> {
+        let margin = self.elastic_contact.as_ref()?.margin?;
+        Some(margin.value)
+    }
+
+    /// The least speed of lift-off, if the follower stays in contact at a greater speed of the cam.
+    pub(crate) fn lift_off_below(&self) -> Option<f64> {
+        let Some(LiftOff::At(opens)) = self.elastic else {
+            return None;
+        };
+        let closed = self.elastic_margin()? > 0.0;
+        (closed && self.speed.abs() > opens * (1.0 + SEARCHED)).then_some(opens)
     }
 
     /// False when some force grew beyond all numbers.
@@ -210,7 +230,7 @@ impl<'m> CamForce<'m> {
         let demand = self.reduction.demand(self.cam, piece, phi);
         let force = demand.force(self.reduction.spring, self.speed);
         let [from, to] = self.reduction.pieces[piece];
-        let (at, _) = self.cam.motion().locate(0.5 * (from + to));
+        let (at, _) = self.cam.motion().piece_at(0.5 * (from + to));
         let state = self.cam.at(at, phi);
         let lever = self.reduction.lever();
         let opens = self.reduction.pair().opens;
@@ -224,7 +244,7 @@ impl<'m> CamForce<'m> {
     pub fn pressure(&self, piece: usize, phi: f64) -> Option<f64> {
         let [_, normal, _] = self.at(piece, phi);
         let [from, to] = self.reduction.pieces[piece];
-        let (at, _) = self.cam.motion().locate(0.5 * (from + to));
+        let (at, _) = self.cam.motion().piece_at(0.5 * (from + to));
         self.cam.pressure(&self.cam.at(at, phi), normal)
     }
 
@@ -296,7 +316,7 @@ impl<'m> CamForce<'m> {
             springs: self.reduction.springs.clone(),
             spring_on: behind.map(|part| part.id.clone()),
             spring_unit,
-            margin: closing.least(spring, speed),
+            margin: closing.least_force(spring, speed),
             greatest: closing.most(spring, speed),
             contact_force,
             pressure: self.greatest_pressure(),
@@ -334,7 +354,7 @@ fn without_reserve(
     format!(
         ". Without a reserve (--reserve 0) the least rate is {} {of_rate}, at φ = {:.4} deg",
         shown(in_unit, 10),
-        closing.least(least, speed).phi.to_degrees()
+        closing.least_force(least, speed).phi.to_degrees()
     )
 }
 

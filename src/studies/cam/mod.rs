@@ -5,13 +5,14 @@ mod closing_spring;
 mod contact;
 mod elastic;
 mod force;
+mod lift_off;
 mod reduction;
 mod result;
 mod speed_search;
 
 pub use closing_spring::preload_unit;
 pub use contact::{CONTACT_RESULTS, contact_result};
-pub use elastic::{ElasticContact, Missing, Steady, SteadyForce, steady_contact};
+pub use elastic::{ElasticContact, Missing, SteadyForce};
 pub use force::{CamForce, ElasticFigures, ForceFigures, Reserve, SpringAnswer};
 pub use result::{Answer, CamFigures, FaceFigures, Question, Radii, figures};
 pub use speed_search::SpeedSearch;

@@ -279,7 +279,7 @@ impl<'m> Reduction<'m> {
                 continue;
             };
             let over = [(from - offset) / ratio, (to - offset) / ratio];
-            let mut segment = track.breaks.locate(over[0].min(over[1]), 1.0);
+            let mut segment = track.breaks.segment_at(over[0].min(over[1]), 1.0);
             loop {
                 let edge = track.breaks.edges(segment).1;
                 // Written so that an edge that is no number ends the search.
@@ -324,7 +324,7 @@ impl<'m> Reduction<'m> {
     pub(super) fn follower(&self, cam: &DiscCam, piece: usize, phi: f64) -> [f64; 3] {
         let [from, to] = self.pieces[piece];
         let motion = cam.motion();
-        let jet = motion.jet(motion.locate(0.5 * (from + to)).0, phi);
+        let jet = motion.jet(motion.piece_at(0.5 * (from + to)).0, phi);
         let (lever, outward) = (self.law.lever, cam.geometry().outward);
         [
             lever * (motion.innermost() + outward * jet.value),
@@ -349,7 +349,7 @@ impl<'m> Reduction<'m> {
                         Some(place) => {
                             let driver = found[place];
                             let sense = sense * driver.first;
-                            transfer(self.model, law, driver.value, sense).after(driver)
+                            transfer(self.model, law, driver.value, sense).composed_with(driver)
                         }
                         // Another mass of the follower itself.
                         None => own,
@@ -391,16 +391,16 @@ impl<'m> Reduction<'m> {
                 }
                 LoadLaw::Pieces { track, pieces } => {
                     let track = &self.model.tracks[*track];
-                    let x = self.along(track, phi, q, &ratios);
+                    let x = self.table_argument(track, phi, q, &ratios);
                     // (Of what the angle of the cam gives, the piece is known beyond rounding.)
                     let at = match track.source {
                         TrackSource::Node(node) if !self.nodes.contains(&node) => {
                             let middle = 0.5 * (self.pieces[piece][0] + self.pieces[piece][1]);
-                            self.along(track, middle, q, &ratios)
+                            self.table_argument(track, middle, q, &ratios)
                         }
                         _ => x,
                     };
-                    found.fixed -= linear(track, pieces, x, at) * ratio.first;
+                    found.fixed -= linear_load_at(track, pieces, x, at) * ratio.first;
                 }
                 // (What is not summed up here was refused, or is told as left out.)
                 LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Function { .. } => {}
@@ -413,7 +413,7 @@ impl<'m> Reduction<'m> {
     }
 
     /// The argument of a load's table.
-    fn along(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
+    fn table_argument(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
         match track.source {
             TrackSource::Node(node) => match self.nodes.iter().position(|&other| other == node) {
                 Some(place) => ratios[place].value,
@@ -436,8 +436,8 @@ fn pair_of(model: &Model, object: usize) -> Pair {
 }
 
 /// A table's force at x, by the piece that holds `at`.
-fn linear(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
-    let (index, shift) = track.breaks.piece(track.breaks.locate(at, 1.0));
+fn linear_load_at(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
+    let (index, shift) = track.breaks.piece(track.breaks.segment_at(at, 1.0));
     pieces.get(index).map_or(0.0, |piece| {
         piece.value + piece.slope * (x - shift - piece.start)
     })

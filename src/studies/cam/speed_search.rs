@@ -1,4 +1,4 @@
-//! At which speed an elastic follower leaves its cam: what runs of its scene are asked.
+//! The scene of a cam at other speeds of its drive.
 
 use super::force::{CamForce, cam_speed};
 use crate::dynamics::model::{Closure, Model, NodeMotion};
@@ -11,7 +11,6 @@ pub struct SpeedSearch {
     pub object: usize,
     /// Speed of the cam from which the search goes (rad/s), > 0.
     pub start: f64,
-    drive: String,
     /// Node of the drive.
     node: usize,
     /// The scene's own speed of the drive (rad/s).
@@ -64,7 +63,6 @@ impl SpeedSearch {
         Ok(Self {
             object,
             start: start.abs(),
-            drive: drive.id.clone(),
             node: drive.nodes[0],
             speed,
             ratio: cam_speed(model, object).map_or(1.0, |own| (own / speed).abs()),
@@ -80,16 +78,15 @@ impl SpeedSearch {
             ..
         } = motion
         {
-            *speed = self.setting(cam_speed).1;
+            *speed = self.drive_speed(cam_speed) * self.speed.signum();
         }
         // (What the scene states of this drive no longer holds.)
         changed.stated.drives.remove(&self.node);
         changed
     }
 
-    /// Address and value (rad/s) with which the cam of the scene turns at this speed (rad/s).
-    pub fn setting(&self, cam_speed: f64) -> (String, f64) {
-        let address = format!("{}.motion.speed", self.drive);
-        (address, cam_speed / self.ratio * self.speed.signum())
+    /// Magnitude of the speed of the drive that gives the cam this one (rad/s).
+    pub fn drive_speed(&self, cam_speed: f64) -> f64 {
+        cam_speed / self.ratio
     }
 }

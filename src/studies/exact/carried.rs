@@ -46,7 +46,11 @@ impl CarriedObserver<'_, '_, '_, '_> {
     }
 
     /// Observes a part and hands it on.
-    pub(super) fn each(&mut self, part: [f64; 2], take: impl FnOnce(&mut SampledStretch<'_>)) {
+    pub(super) fn observe_part(
+        &mut self,
+        part: [f64; 2],
+        take: impl FnOnce(&mut SampledStretch<'_>),
+    ) {
         let mut seen = std::mem::take(&mut self.seen);
         let objects = seen.len() / 7;
         for (place, time) in SampledStretch::instants(part).into_iter().enumerate() {

@@ -37,7 +37,7 @@ impl<'a> CoSimulation<'a> {
     /// The whole, where the integration of the rest has ended.
     pub(super) fn finish(mut self, own: Outcome) -> MotionFindings {
         let walked = self.walk.outcome();
-        self.walk.cut(&mut self.joint);
+        self.walk.report_cut_phases(&mut self.joint);
         let (time, stop) = match self.walk.has_stopped() {
             true => (walked.time, walked.stop),
             false => (own.time, own.stop),
@@ -67,7 +67,7 @@ impl<'a> CoSimulation<'a> {
 impl Sink for CoSimulation<'_> {
     fn start(&mut self, _time: f64, y: &[f64], modes: &Modes) {
         self.joint.start_integrated(y, modes);
-        self.walk.begin(&mut self.joint);
+        self.walk.begin_phases(&mut self.joint);
         self.modes = self.walk.modes().clone();
     }
 

@@ -234,9 +234,9 @@ impl<'a> CombinedRecord<'a> {
                 motion: &mut *motion,
                 modes,
             };
-            looked.each([at(k as f64), at(k as f64 + 1.0)], |segment| {
+            looked.observe_part([at(k as f64), at(k as f64 + 1.0)], |segment| {
                 for (_, object, tally) in &mut self.carried {
-                    tally.take(*object, segment);
+                    tally.add_segment(*object, segment);
                 }
             });
         }
@@ -333,7 +333,7 @@ impl Listener for CombinedRecord<'_> {
 
     fn phase(&mut self, number: usize, branch: &mut Branch<'_>) {
         for (object, tally) in self.trees[number].iter_mut().enumerate() {
-            tally.take(object, branch);
+            tally.add_segment(object, branch);
         }
     }
 

@@ -56,15 +56,15 @@ struct Loss {
 
 impl Loss {
     /// That of A alone, over a share of the stretch.
-    fn own(own: &Smooth, share: f64) -> Self {
+    fn of_smooth_part(own: &Smooth, share: f64) -> Self {
         Self {
-            middle: own.fourth() * share.powi(4) / 144.0,
+            middle: own.greatest_fourth_derivative() * share.powi(4) / 144.0,
             flat: 0.0,
         }
     }
 
     /// That over a part of this share of what it is the loss over.
-    fn within(self, share: f64) -> Self {
+    fn over_share(self, share: f64) -> Self {
         Self {
             middle: self.middle * share.powi(4),
             flat: self.flat,
@@ -87,9 +87,13 @@ impl Loss {
 
 impl TreeBase {
     /// Every object that some tree hangs on.
-    pub(super) fn all(system: &System, ways: &[Drivetrain], window: Option<[f64; 2]>) -> Vec<Self> {
+    pub(super) fn coupled_objects(
+        system: &System,
+        ways: &[Drivetrain],
+        window: Option<[f64; 2]>,
+    ) -> Vec<Self> {
         let parts = system.model().objects.iter().enumerate();
-        let carries = |object: usize| ways.iter().any(|way| way.passes(object));
+        let carries = |object: usize| ways.iter().any(|way| way.depends_on(object));
         parts
             .filter(|(object, _)| carries(*object))
             .map(|(object, part)| Self {
@@ -109,7 +113,7 @@ impl TreeBase {
     }
 
     /// Sets the bounds of |G| of every tree in a turn.
-    pub(super) fn cap(&mut self, caps: Turn) {
+    pub(super) fn set_bounds(&mut self, caps: Turn) {
         self.caps = Some(caps);
     }
 
@@ -125,7 +129,7 @@ impl TreeBase {
 
     /// Takes what is beside the trees at the nodes of a stretch: the states of all
     /// objects, and by tree and node the slopes of the tree's way.
-    pub(super) fn take(
+    pub(super) fn add_states(
         &mut self,
         states: &[Vec<ObjectState>; NODES],
         ways: &[Drivetrain],
@@ -172,7 +176,7 @@ impl TreeBase {
 
     /// True when a force of this magnitude would be greater than what was met.
     fn rises(&self, most: f64) -> bool {
-        let (reaction, slack) = self.tally.forces();
+        let (reaction, slack) = self.tally.force_thresholds();
         !(most <= reaction * (1.0 + MARGIN) && most <= slack)
     }
 
@@ -188,11 +192,12 @@ impl TreeBase {
         if !self.rises(bounds) {
             return;
         }
-        let loss = self.loss(forces);
+        let loss = self.loss_over_stretch(forces);
         for (sign, level) in self.tally.force_extrema_sought() {
             let margin = MARGIN * level.abs();
             if bounds > level + margin
-                && let Some(time) = self.summit(branches, forces, &loss, (sign, level, margin))
+                && let Some(time) =
+                    self.greatest_place(branches, forces, &loss, (sign, level, margin))
             {
                 found(time);
             }
@@ -209,7 +214,7 @@ impl TreeBase {
     }
 
     /// Where sign·(A + ΣG·F) is greatest, if that is above a level by more than a margin.
-    fn summit(
+    fn greatest_place(
         &self,
         branches: &mut [Branch<'_>],
         forces: &mut Forces,
@@ -239,14 +244,14 @@ impl TreeBase {
                 continue;
             };
             cuts += 1;
-            let time = piece.a.s + piece.summit() * piece.length();
+            let time = piece.a.s + piece.extremum_place() * piece.length();
             if time <= piece.a.s || time >= piece.b.s {
                 continue;
             }
             let cut = self.at(branches, forces, time, sign);
             best_now = see(&cut);
             for part in [Piece { a: cut, b: piece.b }, Piece { a: piece.a, b: cut }] {
-                let loss = loss.within(part.length() / piece.length());
+                let loss = loss.over_share(part.length() / piece.length());
                 pieces.push((part, loss));
             }
         }
@@ -293,7 +298,7 @@ impl TreeBase {
         if known.flat == 0.0 || share == 1.0 {
             return Some(*known);
         }
-        let mut own = Loss::own(&self.own, share);
+        let mut own = Loss::of_smooth_part(&self.own, share);
         for (lever, branch) in self.levers.iter().zip(branches) {
             if lever.magnitude_bound() > 0.0 {
                 let ahead = forces.force_bounds(branch, [piece.a.s, piece.b.s]);
@@ -304,8 +309,8 @@ impl TreeBase {
     }
 
     /// The loss over the whole stretch.
-    fn loss(&self, forces: &Forces) -> Loss {
-        let mut loss = Loss::own(&self.own, 1.0);
+    fn loss_over_stretch(&self, forces: &Forces) -> Loss {
+        let mut loss = Loss::of_smooth_part(&self.own, 1.0);
         for (lever, ahead) in self.levers.iter().zip(&forces.ahead) {
             loss.add(lever, ahead, 1.0);
         }

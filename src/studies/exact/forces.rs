@@ -57,7 +57,7 @@ impl Forces {
     }
 
     /// Takes up a stretch.
-    pub(super) fn take(&mut self, branches: &[Branch<'_>], span: [f64; 2]) {
+    pub(super) fn add_stretch(&mut self, branches: &[Branch<'_>], span: [f64; 2]) {
         self.span = span;
         if self.ends[1].time == span[0] {
             self.ends.swap(0, 1);

@@ -56,7 +56,7 @@ impl Drivetrain {
         let model = system.model();
         let way = |object: usize| {
             let mut way = Self::default();
-            way.follow(model, model.objects[object].nodes[0], None);
+            way.add_drivers(model, model.objects[object].nodes[0], None);
             way
         };
         let trees = parts.trees.iter();
@@ -64,7 +64,7 @@ impl Drivetrain {
     }
 
     /// Adds what a node follows, up to the drives.
-    fn follow(&mut self, model: &Model, node: NodeIndex, above: Option<usize>) {
+    fn add_drivers(&mut self, model: &Model, node: NodeIndex, above: Option<usize>) {
         match &model.nodes[node].motion {
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                 let lever = Lever::Law {
@@ -72,7 +72,7 @@ impl Drivetrain {
                     lever: law.lever,
                     breaks: law.position.breaks(),
                 };
-                self.step(model, law.driver, above, lever);
+                self.add_step(model, law.driver, above, lever);
             }
             NodeMotion::Constrained {
                 drivers,
@@ -85,14 +85,14 @@ impl Drivetrain {
                         drivers: drivers.clone(),
                         number,
                     };
-                    self.step(model, driver, above, lever);
+                    self.add_step(model, driver, above, lever);
                 }
             }
             NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => {}
         }
     }
 
-    fn step(&mut self, model: &Model, node: NodeIndex, above: Option<usize>, lever: Lever) {
+    fn add_step(&mut self, model: &Model, node: NodeIndex, above: Option<usize>, lever: Lever) {
         let object = holder(model, node);
         self.objects.extend(object.map(|object| (node, object)));
         self.steps.push(Step {
@@ -101,7 +101,7 @@ impl Drivetrain {
             node,
             lever,
         });
-        self.follow(model, node, Some(self.steps.len() - 1));
+        self.add_drivers(model, node, Some(self.steps.len() - 1));
     }
 
     /// Slopes between the tree and where each step of the way leads, into `slopes`.
@@ -110,7 +110,7 @@ impl Drivetrain {
         for step in &self.steps {
             // (The step above comes before it.)
             let above = step.above.map_or(1.0, |above| slopes[above]);
-            slopes.push(self.single(step, states) * above);
+            slopes.push(self.ratio_of_step(step, states) * above);
         }
     }
 
@@ -123,7 +123,7 @@ impl Drivetrain {
     }
 
     /// ∂φ_above/∂φ where the node of a step stands.
-    fn single(&self, step: &Step, states: &[ObjectState]) -> f64 {
+    fn ratio_of_step(&self, step: &Step, states: &[ObjectState]) -> f64 {
         match &step.lever {
             Lever::Law {
                 position,
@@ -131,7 +131,7 @@ impl Drivetrain {
                 breaks,
             } => {
                 let [displacement, speed] = self.motion(step.node, states);
-                let jet = position.jet(breaks.locate(displacement, speed), displacement);
+                let jet = position.jet(breaks.segment_at(displacement, speed), displacement);
                 lever * jet.first
             }
             Lever::Input {
@@ -169,7 +169,7 @@ impl Drivetrain {
     }
 
     /// True when the tree hangs on an object.
-    pub(super) fn passes(&self, object: usize) -> bool {
+    pub(super) fn depends_on(&self, object: usize) -> bool {
         self.steps.iter().any(|step| step.object == Some(object))
     }
 }

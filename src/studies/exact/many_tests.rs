@@ -1,6 +1,6 @@
 //! Many branches behind one shaft: what is found once for all of them, counted.
 
-use super::{CombinedRecord, request, trees, whole};
+use super::{CombinedRecord, exact_parts, request, trees};
 use crate::budget::Budget;
 use crate::dynamics::integrate::{Limits, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{Observer, RecorderSettings, Tee};
@@ -79,7 +79,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let document = Document::parse("many.json", text.as_bytes()).unwrap();
     let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
     let system = System::new(lower(&reading.scene).unwrap()).unwrap();
-    let parts = whole(&system).unwrap();
+    let parts = exact_parts(&system).unwrap();
     assert_eq!(parts.trees.len(), TREES);
     let initial = system.initial_place().unwrap();
     let rest = Rest::outside_trees(&system, &parts).unwrap();
@@ -124,7 +124,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         greatest: 0.0,
     };
     let mut walk = EventLoop::new(way, &asked, &clock, &goes_on).unwrap();
-    walk.begin(&mut counted);
+    walk.begin_phases(&mut counted);
     walk.advance_to(duration, None, &mut counted);
     let Counted {
         stretches,

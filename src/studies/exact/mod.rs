@@ -31,14 +31,14 @@ use combined_record::CombinedRecord;
 ///
 /// # Errors
 /// A fault for every object that stands against it, naming the reason.
-pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
+pub fn exact_parts(system: &System) -> Result<Parts, Vec<Fault>> {
     whole_with(system, &mut KeptLaws::default())
 }
 
 /// The parts of a system, with the laws of a system before that moves by the same ones.
 ///
 /// # Errors
-/// As [`whole`].
+/// As [`exact_parts`].
 pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
     let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
@@ -73,9 +73,9 @@ pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fau
 /// The parts of a system, with the modes tried that a run may meet.
 ///
 /// # Errors
-/// As [`whole`]; or the modes of a tree cannot be separated.
-pub(super) fn tried(system: &System) -> Result<Parts, Vec<Fault>> {
-    let mut parts = whole(system)?;
+/// As [`exact_parts`]; or the modes of a tree cannot be separated.
+pub(super) fn parts_with_tried_modes(system: &System) -> Result<Parts, Vec<Fault>> {
+    let mut parts = exact_parts(system)?;
     let still = vec![0.0; 2 * system.coordinates()];
     for part in &mut parts.trees {
         if let Err(refusal) = part.try_modes(&still) {
@@ -131,7 +131,7 @@ pub(super) type Wanted<'w> = Option<&'w dyn Fn(usize) -> RequestedFigures>;
 fn request(part: &Part, limits: &Limits<'_>, end: f64, wanted: Wanted<'_>) -> Request {
     let asked = wanted.and_then(|wanted| {
         let each = part.objects.iter().map(|&object| wanted(object));
-        each.reduce(RequestedFigures::with)
+        each.reduce(RequestedFigures::union)
     });
     Request {
         switches: limits.switches,
@@ -150,7 +150,7 @@ fn trees(parts: &Parts, initial: &InitialState) -> Vec<ExactTree> {
 }
 
 /// Follows a whole system to the end that `settings` name.
-pub(super) fn follow(
+pub(super) fn run_whole_system(
     system: &System,
     parts: &Parts,
     initial: &InitialState,
@@ -186,7 +186,7 @@ pub(super) fn follow(
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),
     };
-    walk.begin(&mut joint);
+    walk.begin_phases(&mut joint);
     while walk.is_running(end) {
         walk.advance_to_next_event(end, None, &mut joint);
         joint.passes(walk.time(), walk.switches());
@@ -196,7 +196,7 @@ pub(super) fn follow(
 
 fn finish(mut walk: EventLoop<'_>, mut joint: CombinedRecord<'_>) -> MotionFindings {
     let outcome = walk.outcome();
-    walk.cut(&mut joint);
+    walk.report_cut_phases(&mut joint);
     let (y, modes) = walk.current_state(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let grazing = walk.grazing();
@@ -257,13 +257,13 @@ pub(super) fn deviations(
             };
         }
     };
-    walk.begin(&mut heard);
+    walk.begin_phases(&mut heard);
     walk.advance_to(end, None, &mut heard);
     let outcome = walk.outcome();
-    walk.cut(&mut heard);
+    walk.report_cut_phases(&mut heard);
     let branches = walk.branches().iter();
     Deviations {
-        samples: branches.flat_map(sampled).collect(),
+        samples: branches.flat_map(sampled_deviations).collect(),
         switches: heard.0,
         outcome,
     }
@@ -277,7 +277,7 @@ fn samples_last_mass_only(part: &Part) -> bool {
 }
 
 /// δ of the objects of a tree, from its samples.
-fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)> + 'b {
+fn sampled_deviations<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)> + 'b {
     let part = branch.part;
     let samples = branch.cursor.samples();
     let columns = 2 * part.problem().masses.len();

@@ -67,7 +67,7 @@ impl<'a> Remainder<'a> {
             uniform: is_uniform(rest.system.model()),
             steady: None,
             taken: 0.0,
-            coupled: TreeBase::all(route.system, &ways, settings.window),
+            coupled: TreeBase::coupled_objects(route.system, &ways, settings.window),
             states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
             noted: [f64::NAN; 2],
             slopes: vec![std::array::from_fn(|_| Vec::new()); ways.len()],
@@ -106,7 +106,7 @@ impl<'a> Remainder<'a> {
             }
         }
         for (turn, own) in turns.into_iter().zip(&mut self.coupled) {
-            own.cap(turn);
+            own.set_bounds(turn);
         }
         self.noted = [f64::NAN; 2];
     }
@@ -154,7 +154,7 @@ impl<'a> Remainder<'a> {
         if self.coupled.is_empty() {
             return false;
         }
-        self.forces.take(motion.branches, span);
+        self.forces.add_stretch(motion.branches, span);
         let steady = self.steady.as_ref();
         self.coupled.iter().any(|own| {
             let own_force = steady.map(|states| states[own.object].reaction);
@@ -189,13 +189,13 @@ impl<'a> Remainder<'a> {
         };
         for k in first..NODES {
             let states = observe(&mut self.observer, &self.modes, origin, span, node(k));
-            put(&self.rest.objects, states, &mut self.states[k]);
+            place_states(&self.rest.objects, states, &mut self.states[k]);
             for (slopes, way) in self.slopes.iter_mut().zip(&self.ways) {
                 way.take_slopes(&self.states[k], &mut slopes[k]);
             }
         }
         for own in &mut self.coupled {
-            own.take(&self.states, &self.ways, &self.slopes);
+            own.add_states(&self.states, &self.ways, &self.slopes);
         }
         self.noted = span;
     }
@@ -211,7 +211,7 @@ impl<'a> Remainder<'a> {
         BETWEEN.into_iter().all(|share| {
             let (states, slopes) = &mut self.between;
             let seen = observe(&mut self.observer, &self.modes, origin, span, share);
-            put(&self.rest.objects, seen, states);
+            place_states(&self.rest.objects, seen, states);
             for (slopes, way) in slopes.iter_mut().zip(&self.ways) {
                 way.take_slopes(states, slopes);
             }
@@ -273,7 +273,7 @@ fn observe<'o>(
 }
 
 /// Puts the states of some objects where those of all stand.
-fn put(objects: &[usize], states: &[ObjectState], all: &mut [ObjectState]) {
+fn place_states(objects: &[usize], states: &[ObjectState], all: &mut [ObjectState]) {
     for (&object, state) in objects.iter().zip(states) {
         all[object] = *state;
     }

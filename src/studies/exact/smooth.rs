@@ -61,7 +61,7 @@ impl Smooth {
     }
 
     /// Magnitude of its fourth derivative, by the stretch.
-    pub(super) fn fourth(&self) -> f64 {
+    pub(super) fn greatest_fourth_derivative(&self) -> f64 {
         24.0 * self.differences[NODES - 1].abs()
     }
 
@@ -112,7 +112,7 @@ mod tests {
                 assert!(f64::abs(derivative) <= bound * (1.0 + 1e-12));
             }
         }
-        approx::assert_abs_diff_eq!(smooth.fourth(), 24.0, epsilon = 1e-11);
+        approx::assert_abs_diff_eq!(smooth.greatest_fourth_derivative(), 24.0, epsilon = 1e-11);
         assert_eq!(Smooth::new([0.0; NODES]).magnitude_bound(), 0.0);
     }
 }

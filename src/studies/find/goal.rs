@@ -22,7 +22,7 @@ impl Aim {
     }
 
     /// What a value is worth: the more the better.
-    pub(super) fn worth(self, value: f64) -> f64 {
+    pub(super) fn rank_of_value(self, value: f64) -> f64 {
         match self {
             Self::Maximize => value,
             Self::Minimize => -value,

@@ -47,21 +47,21 @@ pub fn search(
         samples: Vec::new(),
         complete: true,
     };
-    search.look(span.shares());
+    search.evaluate_places(span.shares());
     search.keep_values();
     if !span.whole {
         for _ in 0..ROUNDS {
-            search.look(search.near_limits());
+            search.evaluate_places(search.near_limits());
         }
     }
     let (mut ranges, mut best) = search.ranges_and_best();
     for _ in 0..SETTLING {
         let Some(found) = &best else { break };
-        let around = search.around(found.sample.share);
+        let around = search.unknown_places_around(found.sample.share);
         if around.is_empty() || !search.complete {
             break;
         }
-        search.look(around);
+        search.evaluate_places(around);
         (ranges, best) = search.ranges_and_best();
     }
     let certain = search.is_certain(best.as_ref());
@@ -86,7 +86,7 @@ struct RangeSearch<'s> {
 
 impl RangeSearch<'_> {
     /// Looks at places that are not known yet.
-    fn look(&mut self, shares: Vec<f64>) {
+    fn evaluate_places(&mut self, shares: Vec<f64>) {
         let shares: Vec<f64> = (shares.into_iter())
             .filter(|&share| self.known_sample(share).is_none())
             .collect();
@@ -117,7 +117,7 @@ impl RangeSearch<'_> {
 
     /// What is known at a place; `None`: ended from outside.
     fn sample(&mut self, share: f64) -> Option<Sample> {
-        self.look(vec![share]);
+        self.evaluate_places(vec![share]);
         self.known_sample(share).cloned()
     }
 
@@ -145,7 +145,7 @@ impl RangeSearch<'_> {
             Some(index) => self.roots(index),
             None => self.ranges(),
         };
-        let best = self.best(&ranges, equality.is_some());
+        let best = self.best_place(&ranges, equality.is_some());
         if equality.is_none() {
             // Extremes were looked at meanwhile.
             ranges = self.ranges();
@@ -313,7 +313,7 @@ impl RangeSearch<'_> {
         }
     }
 
-    fn best(&mut self, ranges: &[Range], only_roots: bool) -> Option<Best> {
+    fn best_place(&mut self, ranges: &[Range], only_roots: bool) -> Option<Best> {
         let goal = self.goal?;
         let ends = ranges.iter().flat_map(|range| [&range.from, &range.to]);
         let of_end = |end: &ConditionEnd| Best {
@@ -322,7 +322,7 @@ impl RangeSearch<'_> {
             within: end.within,
             beyond: end.beyond.clone(),
         };
-        let worth = |best: &Best| Some(goal.aim.worth(best.sample.goal?));
+        let worth = |best: &Best| Some(goal.aim.rank_of_value(best.sample.goal?));
         let mut all: Vec<Best> = ends.map(of_end).collect();
         if !goal.is_parameter && !only_roots {
             all.extend(self.extremes(goal.aim));
@@ -339,7 +339,9 @@ impl RangeSearch<'_> {
     /// The places within the ranges at which the goal has an extreme of its own.
     fn extremes(&mut self, aim: Aim) -> Vec<Best> {
         let worth = |one: &Sample, conditions: &[Condition]| match one.holds(conditions) {
-            Some(true) => one.goal.map_or(f64::NEG_INFINITY, |goal| aim.worth(goal)),
+            Some(true) => one
+                .goal
+                .map_or(f64::NEG_INFINITY, |goal| aim.rank_of_value(goal)),
             Some(false) | None => f64::NEG_INFINITY,
         };
         let known: Vec<(f64, f64)> = (self.samples.iter())
@@ -427,7 +429,7 @@ impl RangeSearch<'_> {
     }
 
     /// Places about another that are not known yet.
-    fn around(&self, share: f64) -> Vec<f64> {
+    fn unknown_places_around(&self, share: f64) -> Vec<f64> {
         if self.span.whole {
             return Vec::new();
         }
@@ -448,7 +450,7 @@ impl RangeSearch<'_> {
         let mut unknown = self.samples.iter().filter(unknown);
         match (self.goal, best) {
             (Some(goal), Some(best)) if goal.is_parameter => {
-                let worth = |one: &Sample| goal.aim.worth(one.value);
+                let worth = |one: &Sample| goal.aim.rank_of_value(one.value);
                 !unknown.any(|one| worth(one) > worth(&best.sample))
             }
             _ => unknown.next().is_none(),

@@ -108,7 +108,7 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     of_frame(&mut list);
     of_changes(&mut list, linkage, force);
     if let Some([_, load]) = output {
-        of_ratio_changes(&mut list, linkage, &over([force, load]));
+        of_ratio_changes(&mut list, linkage, &quotient_unit([force, load]));
     }
     solutions(list)
 }
@@ -154,7 +154,7 @@ fn output_units(kind: &OutputKind, linkage: &LinkageSpec) -> [&'static str; 2] {
 }
 
 /// Unit of a quotient of forces or displacements.
-fn over([above, below]: [&str; 2]) -> String {
+fn quotient_unit([above, below]: [&str; 2]) -> String {
     match [above, below] {
         ["N m", "N"] => "m".to_owned(),
         ["N", "N m"] => "1/m".to_owned(),
@@ -166,11 +166,16 @@ fn over([above, below]: [&str; 2]) -> String {
 fn of_output(list: &mut ColumnList, input: [&str; 2], output: [&str; 2]) {
     list.of("", &[]);
     let ratio = |_: &Row, f: &Forces| f.transmission.map(|found| found.ratio);
-    list.add("ratio", &over([output[0], input[0]]), true, ratio);
+    list.add("ratio", &quotient_unit([output[0], input[0]]), true, ratio);
     let load = |_: &Row, f: &Forces| f.transmission.and_then(|found| found.load);
     list.add("load", output[1], false, load);
     let chi = list.of("", &[Rests::Drive]);
-    chi.add("chi", &over([input[1], output[1]]), true, |_, f| f.chi);
+    chi.add(
+        "chi",
+        &quotient_unit([input[1], output[1]]),
+        true,
+        |_, f| f.chi,
+    );
 }
 
 /// What joins the links: pairs, welds, couplings with their forces, which are circumferential
@@ -206,7 +211,7 @@ fn direction([x, y]: [f64; 2]) -> Option<f64> {
 
 fn of_pair(list: &mut ColumnList, index: usize, name: &str, kind: &PairKind) {
     let own = list.of(format!("{name}."), &[Rests::Pair(index)]);
-    own.figure("force", "N", move |f| f.pairs[index].size());
+    own.figure("force", "N", move |f| f.pairs[index].greatest_force());
     own.add_quantity("x", "N", move |f| f.pairs[index].force[0]);
     own.add_quantity("y", "N", move |f| f.pairs[index].force[1]);
     own.add("direction", "rad", false, move |_, f| {

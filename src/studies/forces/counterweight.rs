@@ -21,7 +21,7 @@ pub struct Counterweight {
 
 /// Fits the counterweight; `None` unless the input link turns about a point of
 /// the ground, all positions have forces and any of them shakes.
-pub(super) fn fit(linkage: &LinkageSpec, rows: &[Row]) -> Option<Counterweight> {
+pub(super) fn fit_counterweight(linkage: &LinkageSpec, rows: &[Row]) -> Option<Counterweight> {
     let driver = &linkage.pairs[linkage.driver];
     if driver.slides() {
         return None;

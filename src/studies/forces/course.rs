@@ -37,7 +37,7 @@ pub trait PositionSource {
     }
 
     /// Names of the loads that they come from.
-    fn acting(&self) -> Vec<String> {
+    fn load_names(&self) -> Vec<String> {
         Vec::new()
     }
 }
@@ -132,7 +132,7 @@ impl Course {
     /// Instant at a position.
     pub fn instant(&self, index: usize) -> Instant {
         match self {
-            Self::Even { .. } => self.between(self.parameter(index)),
+            Self::Even { .. } => self.instant_at(self.parameter(index)),
             Self::Instants { instants, .. } => {
                 let moves = |index: Option<usize>| instants.get(index?).and_then(sign);
                 let next = moves(index.checked_add(1));
@@ -146,7 +146,7 @@ impl Course {
 
     /// Instant anywhere on the course: between instants the coordinate is cubic,
     /// accelerations and loads are linear.
-    pub fn between(&self, parameter: f64) -> Instant {
+    pub fn instant_at(&self, parameter: f64) -> Instant {
         match self {
             Self::Even {
                 speed,
@@ -166,7 +166,9 @@ impl Course {
                 let above = times.partition_point(|time| *time <= parameter);
                 let index = above.clamp(1, times.len().max(2) - 1);
                 match (instants.get(index - 1), instants.get(index)) {
-                    (Some(a), Some(b)) => join([times[index - 1], times[index]], [a, b], parameter),
+                    (Some(a), Some(b)) => {
+                        cubic_between([times[index - 1], times[index]], [a, b], parameter)
+                    }
                     (Some(only), _) => only.clone(),
                     _ => Instant::default(),
                 }
@@ -266,7 +268,7 @@ fn sign(instant: &Instant) -> Option<f64> {
 }
 
 /// Between two instants.
-fn join([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
+fn cubic_between([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
     let h = t1 - t0;
     if h.is_nan() || h <= 0.0 {
         return from.clone();
@@ -314,8 +316,8 @@ mod tests {
             closed: false,
         };
         for t in [0.0, 0.2, 0.5, 1.3, 2.0] {
-            assert!((course.between(t).loads[0] - (1.0 + 2.0 * t)).abs() < 1e-14);
-            let (found, wanted) = (course.between(t).motion, motion(t));
+            assert!((course.instant_at(t).loads[0] - (1.0 + 2.0 * t)).abs() < 1e-14);
+            let (found, wanted) = (course.instant_at(t).motion, motion(t));
             assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{t}");
             assert!((found.speed - wanted.speed).abs() < 1e-13);
             assert!((found.acceleration - wanted.acceleration).abs() < 1e-13);

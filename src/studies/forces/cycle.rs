@@ -116,7 +116,7 @@ pub(super) fn sum<S: PositionSource>(
     let mut integrals = Integrals::new(bounds, AT_LEAST + EVALUATIONS * panels.len());
     for [from, to] in panels {
         integrals.add([from.min(to), from.max(to)], |place, out| {
-            let row = solver.row(&course.between(place), false);
+            let row = solver.row(&course.instant_at(place), false);
             integrands(row.forces.as_ref().ok()?, out);
             Some(())
         })?;

@@ -2,7 +2,7 @@
 
 use super::row::{Row, Solver, Trouble};
 use super::{Course, Instant, PositionSource};
-use crate::studies::endless::{DeadEnd, approach, unbounded};
+use crate::studies::endless::{DeadEnd, places_towards_end, unbounded};
 
 /// Takes the forces off the positions of a course at a dead-centre position that ends the reach,
 /// towards which they grow without bound: how great they are there tells how near it is.
@@ -37,12 +37,12 @@ pub(super) fn dwells_at_end(course: &Course, end: &DeadEnd) -> Vec<[f64; 2]> {
 
 /// Rows ever nearer to the dead-centre position at the end of the reach at which a place of the course
 /// lies, in the motion and under the loads that belong to the place.
-pub(super) fn towards<S: PositionSource>(
+pub(super) fn rows_towards_end<S: PositionSource>(
     solver: &mut Solver<'_, S>,
     course: &Course,
     place: f64,
 ) -> Option<[Row; 4]> {
-    let instant = course.between(place);
+    let instant = course.instant_at(place);
     let mut ends = solver.limits().into_iter();
     let end = ends.find(|end| end.is_at(instant.motion.coordinate))?;
     Some(rows_towards(solver, &instant, &end))
@@ -53,7 +53,7 @@ fn rows_towards<S: PositionSource>(
     instant: &Instant,
     end: &DeadEnd,
 ) -> [Row; 4] {
-    approach(end.at, end.other).map(|coordinate| {
+    places_towards_end(end.at, end.other).map(|coordinate| {
         let mut near = instant.clone();
         near.motion.coordinate = coordinate;
         solver.row(&near, true)
@@ -62,6 +62,6 @@ fn rows_towards<S: PositionSource>(
 
 /// The greatest force of a pair in each row.
 pub(super) fn sizes(rows: &[Row; 4]) -> [f64; 4] {
-    let size = |row: &Row| row.size().unwrap_or(f64::NAN);
+    let size = |row: &Row| row.greatest_force().unwrap_or(f64::NAN);
     rows.each_ref().map(size)
 }

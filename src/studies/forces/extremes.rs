@@ -47,7 +47,7 @@ pub(super) fn find<S: PositionSource>(
     all: &[Column],
 ) -> (Vec<Extremes>, Vec<(String, f64)>) {
     let samples = samples(solver, course, rows);
-    let edges = edges(solver, course, zones);
+    let edges = edges_of_zones(solver, course, zones);
     let mut seeker = Seeker {
         solver,
         course,
@@ -71,7 +71,7 @@ pub(super) fn find<S: PositionSource>(
     let extremes = extremes.collect();
     let changes = all.iter().filter(|column| column.name.contains("_by."));
     let endless = changes.filter_map(|column| {
-        let ends = [1.0, -1.0].map(|sign| seeker.endless(column, sign));
+        let ends = [1.0, -1.0].map(|sign| seeker.unbounded_position(column, sign));
         let at = ends.into_iter().flatten().next()?;
         Some((column.name.clone(), at))
     });
@@ -96,7 +96,7 @@ fn samples<S: PositionSource>(
         let places = (0..=FEW - open).map(|k| from + (to - from) * k as f64 / FEW as f64);
         for place in places {
             if samples.iter().all(|(known, _)| *known != place) {
-                samples.push((place, solver.row(&course.between(place), false)));
+                samples.push((place, solver.row(&course.instant_at(place), false)));
             }
         }
     }
@@ -106,7 +106,7 @@ fn samples<S: PositionSource>(
     places.extend(course.ends().map(|[_, end]| end));
     for place in table_places(solver, course, &places) {
         if !places.contains(&place) {
-            samples.push((place, solver.row(&course.between(place), false)));
+            samples.push((place, solver.row(&course.instant_at(place), false)));
         }
     }
     samples.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -119,7 +119,7 @@ struct Edge {
     rows: [Row; 4],
 }
 
-fn edges<S: PositionSource>(
+fn edges_of_zones<S: PositionSource>(
     solver: &mut Solver<'_, S>,
     course: &Course,
     zones: &[Zone],
@@ -152,7 +152,7 @@ struct Seeker<'s, 'k, S> {
 
 impl<S: PositionSource> Seeker<'_, '_, S> {
     /// The first position towards which `sign` times a quantity grows without bound.
-    fn endless(&self, column: &Column, sign: f64) -> Option<f64> {
+    fn unbounded_position(&self, column: &Column, sign: f64) -> Option<f64> {
         let grows = |edge: &&Edge| {
             let values = edge.rows.each_ref().map(|row| column.value(row));
             let known = values.iter().all(Option::is_some);
@@ -163,7 +163,7 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
 
     /// The greatest value of `sign` times a quantity.
     fn extreme(&mut self, column: &Column, sign: f64) -> Option<Extreme> {
-        if let Some(at) = self.endless(column, sign) {
+        if let Some(at) = self.unbounded_position(column, sign) {
             let value = sign * f64::INFINITY;
             return Some(Extreme { value, at });
         }
@@ -175,10 +175,10 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
             .max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
         let at = self.samples[index].0;
         let here = Extreme { value, at };
-        let bracket = self.free_about(index);
+        let bracket = self.free_interval_about(index);
         let (solver, course) = (&mut *self.solver, self.course);
         let mut worth = |place: f64| {
-            let row = solver.row(&course.between(place), false);
+            let row = solver.row(&course.instant_at(place), false);
             let value = column.value(&row);
             value.map_or(f64::NEG_INFINITY, |value| sign * value)
         };
@@ -194,7 +194,7 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
     }
 
     /// From the sample before to the one after, as far as there are forces.
-    fn free_about(&self, index: usize) -> [f64; 2] {
+    fn free_interval_about(&self, index: usize) -> [f64; 2] {
         let at = |index: usize| self.samples[index].0;
         let (here, last) = (at(index), self.samples.len() - 1);
         let period = match self.course {

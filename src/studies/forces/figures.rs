@@ -69,7 +69,7 @@ const OTHERS: [(&str, &[&str], &str); 4] = [
 ];
 
 /// All results that forces can have, with units and meaning.
-pub fn described() -> Vec<DescribedFigure> {
+pub fn described_results() -> Vec<DescribedFigure> {
     let mut all = Vec::new();
     for (name, units, meaning) in EXTREMES {
         all.push(DescribedFigure::new(&format!("{name}.END"), units, meaning));

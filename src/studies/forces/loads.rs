@@ -128,7 +128,7 @@ pub struct ActingLoads<'m> {
 impl<'m> ActingLoads<'m> {
     /// The loads that are known along a course at constant speed; of a closed one those that come
     /// again with it. Over time there are none: its instants have their own.
-    pub fn over(model: &'m Model, body: &'m LinkageBody, course: &Course) -> Self {
+    pub fn loads_along_course(model: &'m Model, body: &'m LinkageBody, course: &Course) -> Self {
         let Course::Even { from, speed, .. } = *course else {
             let loads = Vec::new();
             return Self { model, body, loads };
@@ -140,7 +140,7 @@ impl<'m> ActingLoads<'m> {
             loads: on_outputs(model, body).collect(),
         };
         let known = |load: &Load| match cycle {
-            Some(cycle) => all.repeats(load, speed, cycle),
+            Some(cycle) => all.repeats_each_cycle(load, speed, cycle),
             None => all
                 .force(load, [body.linkage.range().start, speed])
                 .is_some(),
@@ -225,7 +225,7 @@ impl<'m> ActingLoads<'m> {
     }
 
     /// True of a load that is known over a cycle and the same in the next one.
-    fn repeats(&self, load: &Load, speed: f64, [first, period]: [f64; 2]) -> bool {
+    fn repeats_each_cycle(&self, load: &Load, speed: f64, [first, period]: [f64; 2]) -> bool {
         // Between the places of tables that divide a turn evenly.
         let place = |k: usize| first + period * (k as f64 + 0.382) / PLACES as f64;
         let pair = |k: usize| {
@@ -258,7 +258,7 @@ fn edges_between(breaks: &Breaks, [from, to]: [f64; 2]) -> Vec<f64> {
     if breaks.is_empty() || !(from.is_finite() && to.is_finite()) {
         return Vec::new();
     }
-    let [first, last] = [from.min(to), from.max(to)].map(|x| breaks.locate(x, 1.0));
+    let [first, last] = [from.min(to), from.max(to)].map(|x| breaks.segment_at(x, 1.0));
     let last = last.min(first + EDGES);
     (first..last)
         .map(|segment| breaks.edges(segment).1)

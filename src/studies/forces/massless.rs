@@ -120,7 +120,8 @@ pub fn compare_massless<S: PositionSource>(
         }
     };
     let points: Vec<MasslessPoint> = parameters.iter().map(|value| at(*value)).collect();
-    let negligible_up_to = limit(&points, |parameter| at(parameter).matters());
+    let negligible_up_to =
+        parameter_where_masses_matter(&points, |parameter| at(parameter).matters());
     Ok(MasslessComparison {
         coordinates: (0..course.len())
             .map(|index| course.parameter(index))
@@ -187,7 +188,10 @@ fn ratios<S: PositionSource>(
 }
 
 /// The parameter from which on masses matter.
-fn limit(points: &[MasslessPoint], mut matters: impl FnMut(f64) -> bool) -> Option<f64> {
+fn parameter_where_masses_matter(
+    points: &[MasslessPoint],
+    mut matters: impl FnMut(f64) -> bool,
+) -> Option<f64> {
     let above = points.iter().filter(|point| point.matters());
     let first = above.min_by(|a, b| a.parameter.total_cmp(&b.parameter));
     let Some(first) = first else {

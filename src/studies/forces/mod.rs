@@ -24,7 +24,7 @@ pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
-pub use figures::{described, figures, figures_of_inputs};
+pub use figures::{described_results, figures, figures_of_inputs};
 pub use loads::{ActingLoads, loads_left_out};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use multi_input::{SeveralDrives, multi_input_forces};
@@ -122,7 +122,8 @@ pub fn study<S: PositionSource>(
     let columns = columns(linkage, settings.output);
     let mut study = solved(&kinetostatics, source, course, settings, columns);
     // The end of a turn counts once.
-    study.counterweight = counterweight::fit(linkage, &study.rows[..study.course.len()]);
+    study.counterweight =
+        counterweight::fit_counterweight(linkage, &study.rows[..study.course.len()]);
     Ok(study)
 }
 
@@ -135,7 +136,7 @@ fn solved<S: PositionSource>(
     mut columns: Vec<Column>,
 ) -> ForceStudy {
     let mut solver = Solver::new(kinetostatics, source, &settings);
-    let acting = solver.acting();
+    let acting = solver.load_names();
     let mut rows: Vec<Row> = (0..course.rows())
         .map(|index| {
             let mut row = solver.row(&course.instant(index), true);
@@ -147,8 +148,8 @@ fn solved<S: PositionSource>(
     ends::remove_unbounded_forces(&mut solver, &course, &mut rows);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
-    let indeterminate = open::joined(&rows);
-    open::mark(&mut columns, &indeterminate);
+    let indeterminate = open::indeterminate_anywhere(&rows);
+    open::mark_indeterminate(&mut columns, &indeterminate);
     let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, &columns);
     let cycle = match indeterminate.drive {
         true => None,
@@ -183,7 +184,7 @@ impl ForceStudy {
             Some(several) => columns_of_inputs(&several.spec),
             None => columns(&self.linkage, self.settings.output),
         };
-        open::mark(&mut list, &self.indeterminate);
+        open::mark_indeterminate(&mut list, &self.indeterminate);
         list
     }
 
@@ -251,7 +252,7 @@ impl ForceStudy {
     /// The verdict: the forces are known at all positions, and their checks hold.
     pub fn judgement(&self) -> Judgement {
         let known = self.solved().count() == self.rows.len();
-        Judgement::decide(RunEnd::Complete, &self.checks(), || match known {
+        Judgement::judge_result(RunEnd::Complete, &self.checks(), || match known {
             true => Judgement::InWorkingOrder,
             false => Judgement::NotInWorkingOrder,
         })

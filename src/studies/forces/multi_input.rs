@@ -87,7 +87,7 @@ impl PositionSource for Source<'_, '_> {
             // From a singular position on it does not find its way: it starts anew.
             let mut anew = MultiMotion::new(&self.asked.linkage);
             anew.set_inputs(&inputs)
-                .map_err(|_| self.asked.cause(why))?;
+                .map_err(|_| self.asked.cause_in_words(why))?;
             self.motion = anew;
         }
         Ok(&self.motion)

@@ -30,16 +30,16 @@ impl Rests {
 }
 
 /// What is left open at any position.
-pub(super) fn joined(rows: &[Row]) -> Indeterminate {
+pub(super) fn indeterminate_anywhere(rows: &[Row]) -> Indeterminate {
     let mut all = Indeterminate::default();
     for forces in rows.iter().filter_map(|row| row.forces.as_ref().ok()) {
-        all.join(&forces.indeterminate);
+        all.merge_with(&forces.indeterminate);
     }
     all
 }
 
 /// Marks the quantities that are left open.
-pub(super) fn mark(columns: &mut [Column], open: &Indeterminate) {
+pub(super) fn mark_indeterminate(columns: &mut [Column], open: &Indeterminate) {
     for column in columns {
         column.indeterminate = column.rests.iter().any(|force| force.is_open(open));
     }

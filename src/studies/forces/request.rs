@@ -5,7 +5,7 @@ use super::{
     multi_input_forces, study,
 };
 use crate::dynamics::model::Model;
-use crate::fault::{Fault, within};
+use crate::fault::{Fault, with_prefix};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::{Linkage, Workspace};
 use crate::studies::endless::DeadEnd;
@@ -71,7 +71,7 @@ impl PositionSource for LinkagePositions<'_> {
         acting.map_or(Vec::new(), |loads| loads.places(between, speed))
     }
 
-    fn acting(&self) -> Vec<String> {
+    fn load_names(&self) -> Vec<String> {
         let acting = self.acting.as_ref();
         acting.map_or(Vec::new(), ActingLoads::names)
     }
@@ -101,7 +101,7 @@ pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoFor
     let object = question.object.as_deref();
     let wrong = |object: usize| {
         let id = &model.objects[object].id;
-        |faults| NoForces::Linkage(within(id, faults))
+        |faults| NoForces::Linkage(with_prefix(id, faults))
     };
     if let Some(body) = several_of(model, object) {
         let asked = AskedSeveral::new(model, body, question)?;
@@ -120,7 +120,7 @@ pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoFor
         output: only_loaded_output(&solver),
         ..ForceSettings::default()
     };
-    let acting = ActingLoads::over(model, body, &course);
+    let acting = ActingLoads::loads_along_course(model, body, &course);
     let mut positions = LinkagePositions::new(&body.linkage).carrying(acting);
     study(spec, &mut positions, course, settings).map_err(wrong(body.object))
 }
@@ -175,7 +175,7 @@ pub fn course_of(asked: &KinematicsRequest<'_>) -> Result<Course, String> {
             let period = asked.linkage.range().period.map(|found| found.length);
             let loads = loads::over_time(asked.model, &asked.object, to, asked.positions);
             let loads = loads.unwrap_or_default();
-            let closed = repeats(&motions, period) && end_as_they_began(&loads);
+            let closed = ends_as_it_began(&motions, period) && end_as_they_began(&loads);
             let instant = |(index, motion)| Instant {
                 motion,
                 loads: loads.get(index).cloned().unwrap_or_default(),
@@ -200,7 +200,7 @@ fn motion(asked: &KinematicsRequest<'_>, time: f64) -> InputMotion {
 }
 
 /// True when a motion ends as it began, whole periods of the linkage apart.
-fn repeats(motions: &[InputMotion], period: Option<f64>) -> bool {
+fn ends_as_it_began(motions: &[InputMotion], period: Option<f64>) -> bool {
     let (Some(first), Some(last)) = (motions.first(), motions.last()) else {
         return false;
     };

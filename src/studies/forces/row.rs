@@ -21,9 +21,9 @@ pub struct Row {
 
 impl Row {
     /// Greatest force of a pair (N); `None` without forces.
-    pub(super) fn size(&self) -> Option<f64> {
+    pub(super) fn greatest_force(&self) -> Option<f64> {
         let forces = self.forces.as_ref().ok()?;
-        let pairs = forces.pairs.iter().map(PairForces::size);
+        let pairs = forces.pairs.iter().map(PairForces::greatest_force);
         Some(pairs.fold(0.0, f64::max))
     }
 }
@@ -115,7 +115,7 @@ pub struct PairForces {
 
 impl PairForces {
     /// Size of the total force (N).
-    pub fn size(&self) -> f64 {
+    pub fn greatest_force(&self) -> f64 {
         self.force[0].hypot(self.force[1])
     }
 }
@@ -174,8 +174,8 @@ impl<'a, S: PositionSource> Solver<'a, S> {
     }
 
     /// Names of the loads on the outputs that follow from the motion of the input.
-    pub(super) fn acting(&self) -> Vec<String> {
-        self.source.acting()
+    pub(super) fn load_names(&self) -> Vec<String> {
+        self.source.load_names()
     }
 
     /// Dead-centre positions at which the reach ends.
@@ -188,11 +188,11 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         Row {
             time: None,
             motion: instant.motion,
-            forces: self.forces(instant, full),
+            forces: self.solve_forces(instant, full),
         }
     }
 
-    fn forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
+    fn solve_forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
         let (solver, w) = (self.kinetostatics, &mut self.workspace);
         let motion = instant.motion;
         let acting = match instant.loads.is_empty() {
@@ -227,7 +227,8 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         let output = self.settings.output;
         let transmission =
             output.map(|output| solver.transmission(output, &self.loads, motion.coordinate, w));
-        let ratio = |found: Transmission| found.dynamic_ratio(w.drive(), self.settings.convention);
+        let ratio =
+            |found: Transmission| found.dynamic_ratio(w.driver_force(), self.settings.convention);
         let links = solver.spec().links.iter().enumerate().map(|(index, _)| {
             let link = positions.link(index);
             LinkPlace {
@@ -236,8 +237,8 @@ impl<'a, S: PositionSource> Solver<'a, S> {
             }
         });
         Ok(Forces {
-            drive: w.drive(),
-            drives: w.drives().to_vec(),
+            drive: w.driver_force(),
+            drives: w.driver_forces().to_vec(),
             inputs,
             solved,
             others: w.other_drives().to_vec(),

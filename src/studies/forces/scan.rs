@@ -36,7 +36,7 @@ pub(super) fn singular_places<S: PositionSource>(
     places: &[f64],
 ) -> Vec<f64> {
     let (singular, period) = solver.singular();
-    passed(course, places, (&singular, period))
+    places_of_coordinates(course, places, (&singular, period))
 }
 
 /// Places of a course at which the input passes a point of a table of forces, and those beside
@@ -49,7 +49,7 @@ pub(super) fn table_places<S: PositionSource>(
     let forces = solver.kinetostatics().spec().forces.iter();
     let tables = forces.filter_map(|force| force.law.breaks());
     let mut found: Vec<f64> = tables
-        .flat_map(|table| passed(course, places, (&table.points, table.period)))
+        .flat_map(|table| places_of_coordinates(course, places, (&table.points, table.period)))
         .collect();
     if let Course::Even { speed, .. } = course {
         let pairs = places.windows(2).map(|pair| [pair[0], pair[1]]);
@@ -61,14 +61,14 @@ pub(super) fn table_places<S: PositionSource>(
 }
 
 /// Places of a course at which the input passes coordinates, which come again after a period.
-fn passed(
+fn places_of_coordinates(
     course: &Course,
     places: &[f64],
     (coordinates, period): (&[f64], Option<f64>),
 ) -> Vec<f64> {
     let mut found = Vec::new();
     for pair in places.windows(2) {
-        let q = [pair[0], pair[1]].map(|place| course.between(place).motion.coordinate);
+        let q = [pair[0], pair[1]].map(|place| course.instant_at(place).motion.coordinate);
         for &at in coordinates {
             let at = match period {
                 Some(period) => at + period * ((0.5 * (q[0] + q[1]) - at) / period).round(),
@@ -89,7 +89,7 @@ fn place_of(course: &Course, [low, high]: [f64; 2], at: f64) -> f64 {
     if matches!(course, Course::Even { .. }) {
         return at.clamp(low, high);
     }
-    let off = |place: f64| course.between(place).motion.coordinate - at;
+    let off = |place: f64| course.instant_at(place).motion.coordinate - at;
     let sign = off(high);
     let [_, place] = bisect([low, high], BISECTIONS, |place| !(off(place) * sign > 0.0));
     place

@@ -14,7 +14,7 @@ use crate::kinematics::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
 use crate::math::roots::{BISECTIONS, bisect};
-use crate::studies::endless::{approach, unbounded};
+use crate::studies::endless::{places_towards_end, unbounded};
 
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
@@ -120,7 +120,7 @@ struct Mark {
 pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Vec<Zone> {
     let mut scanner = Scanner { solver, course };
     let Some(marks) = scanner.marks() else {
-        return single(solver, course).into_iter().collect();
+        return zone_of_position(solver, course).into_iter().collect();
     };
     let mut zones: Vec<Zone> = Vec::new();
     let mut open = marks[0].state.map(|kind| (kind, marks[0].place));
@@ -156,11 +156,16 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
 }
 
 /// The zone of a single position at a dead-centre position that ends the reach.
-fn single<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Option<Zone> {
+fn zone_of_position<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+) -> Option<Zone> {
     let at = course.instant(0).motion.coordinate;
     let end = solver.limits().into_iter().find(|end| end.is_at(at))?;
     let place = course.place_of(0, &end);
-    let grows = unbounded(&ends::sizes(&ends::towards(solver, course, place)?));
+    let grows = unbounded(&ends::sizes(&ends::rows_towards_end(
+        solver, course, place,
+    )?));
     Some(Zone {
         kind: ZoneKind::Dead,
         from: place,
@@ -195,10 +200,10 @@ struct Scanner<'s, 'k, S> {
 
 impl<S: PositionSource> Scanner<'_, '_, S> {
     fn row(&mut self, place: f64) -> Row {
-        self.solver.row(&self.course.between(place), false)
+        self.solver.row(&self.course.instant_at(place), false)
     }
 
-    fn mark(&mut self, place: f64) -> Mark {
+    fn mark_at(&mut self, place: f64) -> Mark {
         let row = self.row(place);
         Mark {
             place,
@@ -238,7 +243,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         let places = scan(self.course)?;
         let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
         let ends = [places[0], places[places.len() - 1]];
-        let mut marks: Vec<Mark> = places.iter().map(|&place| self.mark(place)).collect();
+        let mut marks: Vec<Mark> = places.iter().map(|&place| self.mark_at(place)).collect();
         let special = singular_places(self.solver, self.course, &places);
         let mut aside: Vec<f64> = special.clone();
         let greatest = marks.iter().filter_map(|mark| mark.ratio);
@@ -247,7 +252,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             for side in [-ASIDE, ASIDE] {
                 let near = reversal + side * step;
                 let near = match self.course.is_closed() {
-                    true => around(near, ends),
+                    true => wrap_into_course(near, ends),
                     false => near,
                 };
                 if (ends[0]..=ends[1]).contains(&near) {
@@ -255,9 +260,9 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
                 }
             }
         }
-        marks.extend(aside.into_iter().map(|place| self.mark(place)));
+        marks.extend(aside.into_iter().map(|place| self.mark_at(place)));
         marks.sort_by_cached_key(|mark| Total(mark.place));
-        let nearest = self.nearest(&marks);
+        let nearest = self.marks_nearest_to_change(&marks);
         marks.extend(nearest);
         marks.sort_by_cached_key(|mark| Total(mark.place));
         Some(marks)
@@ -293,7 +298,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// Places between free ones that are the nearest to a change, where they are beyond it.
-    fn nearest(&mut self, marks: &[Mark]) -> Vec<Mark> {
+    fn marks_nearest_to_change(&mut self, marks: &[Mark]) -> Vec<Mark> {
         let mut found = Vec::new();
         for three in marks.windows(3) {
             let [before, here, after] = [three[0], three[1], three[2]];
@@ -301,21 +306,21 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             let level = here.ease == before.ease && here.ease == after.ease;
             let free = three.iter().all(|mark| mark.state.is_none());
             if free && lowest && !level {
-                found.extend(self.beyond(before.place, after.place));
+                found.extend(self.mark_of_least_ease(before.place, after.place));
             }
         }
         found
     }
 
     /// The place of least ease, once it is not free.
-    fn beyond(&mut self, low: f64, high: f64) -> Option<Mark> {
+    fn mark_of_least_ease(&mut self, low: f64, high: f64) -> Option<Mark> {
         let mut found = None;
         let mut lack = |place: f64| {
             // Once there is one, the search may end.
             if found.is_some() {
                 return f64::NEG_INFINITY;
             }
-            let mark = self.mark(place);
+            let mark = self.mark_at(place);
             found = mark.state.is_some().then_some(mark);
             -mark.ease
         };
@@ -342,7 +347,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     fn bisect(&mut self, low: Mark, high: Mark) -> [Mark; 2] {
         let mut marks = [low, high];
         bisect([low.place, high.place], BISECTIONS, |place| {
-            let mark = self.mark(place);
+            let mark = self.mark_at(place);
             let same = mark.state == low.state;
             marks[usize::from(!same)] = mark;
             same
@@ -367,9 +372,9 @@ pub(super) fn rows_towards<S: PositionSource>(
     [end, free]: [f64; 2],
     full: bool,
 ) -> [Row; 4] {
-    let dead = ends::towards(solver, course, end);
-    let along = |place| solver.row(&course.between(place), full);
-    dead.unwrap_or_else(|| approach(end, free).map(along))
+    let dead = ends::rows_towards_end(solver, course, end);
+    let along = |place| solver.row(&course.instant_at(place), full);
+    dead.unwrap_or_else(|| places_towards_end(end, free).map(along))
 }
 
 /// How far a free position is from one that locks: what is left of the power of a load that
@@ -401,7 +406,7 @@ fn ratio(row: &Row) -> Option<f64> {
 }
 
 /// A place beyond an end of a closed course comes in at the other.
-fn around(place: f64, [first, last]: [f64; 2]) -> f64 {
+fn wrap_into_course(place: f64, [first, last]: [f64; 2]) -> f64 {
     if place < first {
         place + (last - first)
     } else if place > last {

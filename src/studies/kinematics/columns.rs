@@ -168,7 +168,7 @@ impl Quantity {
 
     /// Ordinary size of a quantity of something of size `own` (1 rad, or the size of the
     /// linkage) behind an input of size `input` with the motion `q`.
-    pub(super) fn scale(self, own: f64, input: f64, q: Jet) -> f64 {
+    pub(super) fn ordinary_size(self, own: f64, input: f64, q: Jet) -> f64 {
         let rate = q.first.abs() / input;
         match self.shape() {
             Unit::Time(0) => own,
@@ -244,7 +244,7 @@ impl Quantities {
     }
 
     /// The first transfer functions: all that there is of several inputs.
-    pub(super) fn first(&self) -> impl Iterator<Item = Quantity> {
+    pub(super) fn first_transfer_functions(&self) -> impl Iterator<Item = Quantity> {
         let transfer = self.transfer.iter().copied();
         transfer.filter(|quantity| matches!(quantity.shape(), Unit::Transfer(1)))
     }
@@ -304,10 +304,12 @@ impl Inputs<'_> {
         let moved = quantities.motion.iter().chain(quantities.more);
         let moved = moved.map(|&what| heading(owner, what, own, ""));
         let by = inputs.iter().flat_map(|&(input, coordinate)| {
-            quantities.first().map(move |what| ColumnHeading {
-                by: Some(input.to_owned()),
-                ..heading(owner, what, own, coordinate.unit())
-            })
+            quantities
+                .first_transfer_functions()
+                .map(move |what| ColumnHeading {
+                    by: Some(input.to_owned()),
+                    ..heading(owner, what, own, coordinate.unit())
+                })
         });
         moved.chain(by).collect()
     }

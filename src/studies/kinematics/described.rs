@@ -53,7 +53,7 @@ fn extremes(owner: &str, quantity: Quantity, own: &[&str], by: &str) -> Describe
 }
 
 /// All results that kinematics can have.
-pub fn described() -> Vec<DescribedFigure> {
+pub fn described_results() -> Vec<DescribedFigure> {
     let mut all = Vec::new();
     let mut add = |owner: &str, own: &[&str], by: &str, quantities: &[Quantity]| {
         let one = |quantity: &Quantity| extremes(owner, *quantity, own, by);
@@ -77,7 +77,7 @@ pub fn described() -> Vec<DescribedFigure> {
             owner,
             own,
             ".INPUT",
-            &quantities.first().collect::<Vec<_>>(),
+            &quantities.first_transfer_functions().collect::<Vec<_>>(),
         );
     }
     for (owner, own) in [("OUTPUT", BOTH), ("pairs.PAIR", &["m"])] {

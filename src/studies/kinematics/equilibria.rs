@@ -60,7 +60,7 @@ impl Equilibrium {
 
 /// All equilibria over a period, or the whole reach, ascending; none where no weight, spring or
 /// force acts, and where the input goes everywhere.
-pub(super) fn equilibria(asked: &KinematicsRequest<'_>) -> Vec<Equilibrium> {
+pub(super) fn find_equilibria(asked: &KinematicsRequest<'_>) -> Vec<Equilibrium> {
     let linkage = &asked.linkage;
     let (from, to, closed) = match whole_travel(linkage) {
         Over::Turn => {
@@ -78,7 +78,7 @@ pub(super) fn equilibria(asked: &KinematicsRequest<'_>) -> Vec<Equilibrium> {
         linkage,
         work: linkage.workspace(),
     }
-    .all([from, to], closed)
+    .find_all([from, to], closed)
 }
 
 struct Seeker<'a> {
@@ -87,7 +87,7 @@ struct Seeker<'a> {
 }
 
 impl Seeker<'_> {
-    fn all(&mut self, [from, to]: [f64; 2], closed: bool) -> Vec<Equilibrium> {
+    fn find_all(&mut self, [from, to]: [f64; 2], closed: bool) -> Vec<Equilibrium> {
         let place = |k: usize| from + (to - from) * k as f64 / INTERVALS as f64;
         let force = |k: usize, seeker: &mut Self| {
             // Both ends of a period are one place.
@@ -131,14 +131,14 @@ impl Seeker<'_> {
         before != 0.0 && forces[k + 1] != 0.0
     }
 
-    fn reduced(&mut self, q: f64) -> Option<ReducedLinkage> {
+    fn reduced_linkage(&mut self, q: f64) -> Option<ReducedLinkage> {
         self.linkage.solve(q, 2, &mut self.work).ok()?;
-        Some(self.linkage.reduced(&self.work))
+        Some(self.linkage.reduced_linkage(&self.work))
     }
 
     /// W, not a number where the linkage cannot be assembled.
     fn force(&mut self, q: f64) -> f64 {
-        let reduced = self.reduced(q);
+        let reduced = self.reduced_linkage(q);
         reduced.map_or(f64::NAN, |reduced| reduced.force[0] - reduced.potential[1])
     }
 
@@ -149,7 +149,7 @@ impl Seeker<'_> {
     }
 
     fn at(&mut self, at: f64) -> Option<Equilibrium> {
-        let reduced = self.reduced(at)?;
+        let reduced = self.reduced_linkage(at)?;
         let [spring, force] = [reduced.potential[2], reduced.force[1]];
         let stiffness = spring - force;
         let rounding = FORCE_ROUNDING * (spring.abs() + force.abs());
@@ -209,7 +209,7 @@ mod tests {
 
     fn found(linkage: &Linkage, from: f64, closed: bool) -> Vec<Equilibrium> {
         let work = linkage.workspace();
-        Seeker { linkage, work }.all([from, from + TAU], closed)
+        Seeker { linkage, work }.find_all([from, from + TAU], closed)
     }
 
     #[test]

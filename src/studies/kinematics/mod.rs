@@ -19,7 +19,7 @@ mod summary;
 mod values;
 
 pub use columns::Quantity;
-pub use described::{DescribedFigure, described, ends};
+pub use described::{DescribedFigure, described_results, ends};
 pub use equilibria::Equilibrium;
 pub use figures::NamedFigure;
 pub(in crate::studies) use figures::end;
@@ -29,7 +29,7 @@ pub use request::{
     whole_travel,
 };
 pub use study::{even_motion, kinematics};
-pub use subject::{Subject, assembly_modes, linkage_of, reaches, several_of};
+pub use subject::{Subject, assembly_modes, limited_inputs, linkage_of, several_of};
 
 use crate::dynamics::model::{Coordinate, Model};
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
@@ -150,7 +150,7 @@ impl Kinematics {
             Some(_) => RunEnd::OfMechanism,
             None => RunEnd::Complete,
         };
-        Judgement::decide(ending, &self.checks(), || Judgement::InWorkingOrder)
+        Judgement::judge_result(ending, &self.checks(), || Judgement::InWorkingOrder)
     }
 }
 

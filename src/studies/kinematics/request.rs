@@ -226,7 +226,7 @@ impl<'a> KinematicsRequest<'a> {
             Over::Range { from, to } if !(from.is_finite() && to.is_finite()) => Err(
                 "a range needs two finite ends, or the same one twice for one position".to_owned(),
             ),
-            Over::Range { from, .. } if self.outside(from) => Err(format!(
+            Over::Range { from, .. } if self.is_outside(from) => Err(format!(
                 "the range begins outside the range of motion of `{}`: {}",
                 self.object,
                 self.range_in_words()
@@ -246,7 +246,7 @@ impl<'a> KinematicsRequest<'a> {
         }
     }
 
-    fn outside(&self, at: f64) -> bool {
+    fn is_outside(&self, at: f64) -> bool {
         let mut work = self.linkage.workspace();
         self.linkage.solve(at, 0, &mut work).is_err()
     }

@@ -3,7 +3,7 @@
 use super::columns::ColumnHeading;
 use super::extremes::{Edge, extremes};
 use super::{Column, Extremes};
-use crate::studies::endless::{DeadEnd, approach};
+use crate::studies::endless::{DeadEnd, places_towards_end};
 use crate::units::shown;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.
@@ -24,10 +24,10 @@ pub(super) trait Course {
     fn errors(&mut self, place: f64, values: &[f64], errors: &mut Vec<f64>);
 
     /// Size that is ordinary for a column at a place.
-    fn ordinary(&self, place: f64, heading: &ColumnHeading) -> f64;
+    fn ordinary_size(&self, place: f64, heading: &ColumnHeading) -> f64;
 
     /// Notes the place gone to last as a row; the frames of all links: x, y, cos, sin.
-    fn note(&mut self) -> Vec<[f64; 4]>;
+    fn add_row(&mut self) -> Vec<[f64; 4]>;
 
     /// Goes on from a row noted earlier, where that makes a difference.
     fn resume(&mut self, _row: usize) {}
@@ -40,7 +40,11 @@ pub(super) trait Course {
 
 /// Places at equal distances, and one more where it is asked for; a single one where both ends
 /// are the same.
-pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> Vec<f64> {
+pub(super) fn equally_spaced_places(
+    [from, to]: [f64; 2],
+    count: usize,
+    also: Option<f64>,
+) -> Vec<f64> {
     if from == to {
         return vec![from];
     }
@@ -58,7 +62,7 @@ pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> V
 }
 
 /// Times of places that are passed at this rate, from the first one on; at rest as if it were 1.
-pub(super) fn times(places: &[f64], rate: f64) -> Vec<f64> {
+pub(super) fn times_of_places(places: &[f64], rate: f64) -> Vec<f64> {
     let rate = rate.abs();
     let rate = if rate > 0.0 { rate } else { 1.0 };
     let from = places.first().copied().unwrap_or(0.0);
@@ -119,7 +123,7 @@ impl<C: Course> Rows<C> {
         let found = values.iter().zip(&self.errors);
         let columns = self.columns.iter_mut().zip(&self.headings);
         for ((column, heading), (value, error)) in columns.zip(found) {
-            let ordinary = self.course.ordinary(place, heading).max(value.abs());
+            let ordinary = self.course.ordinary_size(place, heading).max(value.abs());
             if *error > DETERMINED * ordinary {
                 let counts = value.is_finite() && !column.quantity.passes_infinity();
                 column.undetermined += usize::from(counts);
@@ -129,13 +133,13 @@ impl<C: Course> Rows<C> {
                 column.values.push(*value);
             }
         }
-        self.frames.push(self.course.note());
+        self.frames.push(self.course.add_row());
         self.places.push(place);
         Ok(())
     }
 
     /// The dead-centre positions at which the rows end.
-    fn edges(&mut self) -> Vec<Edge> {
+    fn dead_centres_at_ends(&mut self) -> Vec<Edge> {
         let (Some(&first), Some(&last)) = (self.places.first(), self.places.last()) else {
             return Vec::new();
         };
@@ -149,7 +153,7 @@ impl<C: Course> Rows<C> {
                 (false, false) => continue,
             };
             self.course.resume(row);
-            let rows = approach(end.at, far).map(|place| self.determined(place));
+            let rows = places_towards_end(end.at, far).map(|place| self.determined(place));
             edges.push(Edge { at: end.at, rows });
         }
         edges
@@ -174,7 +178,7 @@ impl<C: Course> Rows<C> {
     /// Least and greatest value of every column, between the rows too; infinite where it grows
     /// without bound towards an end of the rows.
     pub(super) fn extremes(&mut self) -> Vec<Extremes> {
-        let edges = self.edges();
+        let edges = self.dead_centres_at_ends();
         for (index, column) in self.columns.iter_mut().enumerate() {
             let endless =
                 |edge: &&Edge| [1.0, -1.0].iter().any(|&sign| edge.is_endless(index, sign));
@@ -200,7 +204,7 @@ impl<C: Course> Rows<C> {
 pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
     let mut warnings = Vec::new();
     let doubtful = columns.iter().filter(|column| column.undetermined > 0);
-    if let Some(names) = named(doubtful.clone()) {
+    if let Some(names) = first_and_others(doubtful.clone()) {
         let most = doubtful.map(|column| column.undetermined).max();
         warnings.push(format!(
             "{names} are not determined at up to {} of {rows} positions: so near to a singular \
@@ -209,7 +213,7 @@ pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
             shown(DETERMINED, 1)
         ));
     }
-    if let Some(names) = named(columns.iter().filter(|column| column.is_lost())) {
+    if let Some(names) = first_and_others(columns.iter().filter(|column| column.is_lost())) {
         warnings.push(format!(
             "{names} grow beyond all numbers: the speed is too great"
         ));
@@ -218,7 +222,7 @@ pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
 }
 
 /// The first of several columns by its name, and how many others there are.
-fn named<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
+fn first_and_others<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
     let first = columns.next()?.name();
     Some(match columns.count() {
         0 => format!("`{first}`"),

@@ -1,10 +1,10 @@
 //! The study of a linkage of one input.
 
 use super::columns::{ColumnHeading, Inputs, headings};
-use super::equilibria::equilibria;
+use super::equilibria::find_equilibria;
 use super::request::span;
 use super::request::{KinematicsRequest, Over};
-use super::rows::{Course, Rows, evenly, times, warnings};
+use super::rows::{Course, Rows, equally_spaced_places, times_of_places, warnings};
 use super::summary;
 use super::values;
 use super::{AnyLinkage, Axis, Kinematics, Limit, RowsEnd};
@@ -17,8 +17,12 @@ use crate::units::shown;
 /// Positions, speeds and accelerations of a linkage over what was asked.
 pub fn kinematics(asked: &KinematicsRequest<'_>) -> Kinematics {
     let mut rows = Rows::new(OneInput::new(asked));
-    let stopped = rows.fill(&evenly(span(asked), asked.positions, asked.also));
-    let stopped = stopped.map(|(before, place, why)| stop(asked, [before, place], &why));
+    let stopped = rows.fill(&equally_spaced_places(
+        span(asked),
+        asked.positions,
+        asked.also,
+    ));
+    let stopped = stopped.map(|(before, place, why)| end_of_range(asked, [before, place], &why));
     let extremes = rows.extremes();
     let Rows {
         places,
@@ -34,11 +38,11 @@ pub fn kinematics(asked: &KinematicsRequest<'_>) -> Kinematics {
         motion: motion(asked),
         times: match asked.over {
             Over::Time { .. } => places.clone(),
-            Over::Turn | Over::Range { .. } => times(&places, asked.rate[0]),
+            Over::Turn | Over::Range { .. } => times_of_places(&places, asked.rate[0]),
         },
         extremes,
         strokes: summary::strokes(asked),
-        equilibria: equilibria(asked),
+        equilibria: find_equilibria(asked),
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,
@@ -94,14 +98,14 @@ fn limits(asked: &KinematicsRequest<'_>) -> Vec<Limit> {
         Reach::Interval { lower, upper } => [lower, upper]
             .map(|end| Limit {
                 at: end.at,
-                cause: cause(asked, end.cause),
+                cause: cause_in_words(asked, end.cause),
             })
             .into(),
     }
 }
 
 /// Why the input goes no further, in words.
-fn cause(asked: &KinematicsRequest<'_>, cause: Cause) -> String {
+fn cause_in_words(asked: &KinematicsRequest<'_>, cause: Cause) -> String {
     match cause {
         Cause::DeadPosition { group } => format!(
             "dead-centre position: {} in line",
@@ -166,15 +170,17 @@ impl Course for OneInput<'_, '_> {
         );
     }
 
-    fn ordinary(&self, place: f64, heading: &ColumnHeading) -> f64 {
-        let size = self.asked.linkage.size();
+    fn ordinary_size(&self, place: f64, heading: &ColumnHeading) -> f64 {
+        let size = self.asked.linkage.typical_length();
         let unit = |turning: bool| if turning { 1.0 } else { size };
         let input = unit(self.asked.input == Coordinate::Turning);
         let q = self.asked.input_at(place);
-        heading.quantity.scale(unit(heading.turning), input, q)
+        heading
+            .quantity
+            .ordinary_size(unit(heading.turning), input, q)
     }
 
-    fn note(&mut self) -> Vec<[f64; 4]> {
+    fn add_row(&mut self) -> Vec<[f64; 4]> {
         let links = self.asked.linkage.spec().links.len();
         let frame = (0..links).map(|link| {
             let pose = self.work.pose(link);
@@ -185,13 +191,17 @@ impl Course for OneInput<'_, '_> {
 }
 
 /// Where the input reaches its end, between a place inside and one outside.
-fn stop(asked: &KinematicsRequest<'_>, [inside, outside]: [f64; 2], why: &OutOfReach) -> RowsEnd {
+fn end_of_range(
+    asked: &KinematicsRequest<'_>,
+    [inside, outside]: [f64; 2],
+    why: &OutOfReach,
+) -> RowsEnd {
     let end = why.end.at;
     if !matches!(asked.over, Over::Time { .. }) {
         return RowsEnd {
             at: end,
             input: end,
-            cause: cause(asked, why.end.cause),
+            cause: cause_in_words(asked, why.end.cause),
         };
     }
     let beyond = |place: f64| {
@@ -202,6 +212,6 @@ fn stop(asked: &KinematicsRequest<'_>, [inside, outside]: [f64; 2], why: &OutOfR
     RowsEnd {
         at: outside,
         input: end,
-        cause: cause(asked, why.end.cause),
+        cause: cause_in_words(asked, why.end.cause),
     }
 }

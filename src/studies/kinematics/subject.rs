@@ -114,7 +114,7 @@ pub fn several_of<'m>(model: &'m Model, id: Option<&str>) -> Option<&'m MultiLin
 
 /// Linkages, and objects that move by the short form of one, whose input cannot
 /// go everywhere: how far it can, in words; and the redundant constraints of linkages.
-pub fn reaches(model: &Model) -> Vec<String> {
+pub fn limited_inputs(model: &Model) -> Vec<String> {
     let limited = |part: &&ObjectPart| match short_form_law(model, part) {
         Some(law) => {
             let reach = law.position.reach_from(start_of(model, law.driver));
@@ -209,12 +209,12 @@ fn short_form_law<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
 pub(super) fn start_of(model: &Model, node: NodeIndex) -> f64 {
     match &model.nodes[node].motion {
         NodeMotion::Prescribed { motion, .. } => {
-            motion.jet(motion.breaks().locate(0.0, 1.0), 0.0).value
+            motion.jet(motion.breaks().segment_at(0.0, 1.0), 0.0).value
         }
         NodeMotion::Rotor { angle, .. } => *angle,
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
             let driver = start_of(model, law.driver);
-            let segment = law.position.breaks().locate(driver, 1.0);
+            let segment = law.position.breaks().segment_at(driver, 1.0);
             law.lever * law.position.jet(segment, driver).value
         }
         NodeMotion::Constrained {

@@ -1,7 +1,7 @@
 //! One point of a map.
 
 use super::ends::failure_verdict;
-use super::figure::{figure_of_object, read, scale};
+use super::figure::{figure_of_object, read, scale_of_figure};
 use super::judge::{self, Begun, Evidence, judge};
 use super::rigid::RigidMotion;
 use super::scenes::{MotionCache, Scenes};
@@ -84,7 +84,7 @@ pub(super) fn evaluate(
         let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
         match scene {
             Ok((scene, kept)) => match prepare(scene) {
-                Ok((system, settings)) => judged(
+                Ok((system, settings)) => cell_of_system(
                     (study, is_checked_sample(panel, cell)),
                     (scene, &system),
                     &settings,
@@ -110,7 +110,7 @@ fn is_checked_sample(panel: usize, cell: usize) -> bool {
 }
 
 /// The cell of a system; `None` when interrupted.
-fn judged(
+fn cell_of_system(
     (study, checked): (&Study<'_>, bool),
     (scene, system): (&TypedScene, &System),
     settings: &RunSettings,
@@ -184,7 +184,7 @@ impl Task<'_> {
         if found.outcome.stop.is_from_outside() {
             return Ok(None);
         }
-        if let Some(cell) = self.failed(&found) {
+        if let Some(cell) = self.cell_of_failed_run(&found) {
             return Ok(Some(cell));
         }
         let cycle = drive_cycle(self.system.model()).ok();
@@ -194,7 +194,7 @@ impl Task<'_> {
             rigid,
             cycle,
             time: found.outcome.time,
-            steady: &mut |object, begun| self.steady(&found, object, begun, cycle?),
+            steady: &mut |object, begun| self.greatest_in_last_cycle(&found, object, begun, cycle?),
         });
         if found.grazing > 0 {
             cause.push_str("; a contact grazes, its events are not certain");
@@ -214,7 +214,7 @@ impl Task<'_> {
             let Some(moved) = self.moves(&found, value)? else {
                 return Ok(None);
             };
-            mark(&mut cell, moved, bound(self.study, &found, self.settings));
+            note_sensitivity(&mut cell, moved, bound(self.study, &found, self.settings));
         }
         Ok(Some(cell))
     }
@@ -251,13 +251,19 @@ impl Task<'_> {
     }
 
     /// The cell of a run that did not come to its end or is not to be trusted.
-    fn failed(&self, found: &Motion) -> Option<Cell> {
+    fn cell_of_failed_run(&self, found: &Motion) -> Option<Cell> {
         let (verdict, cause) = failure_verdict(self.system.model(), self.settings, found)?;
         Some(Cell::without_value(verdict, cause))
     }
 
     /// Greatest |δ| of an object over the cycle before the last and over the last one.
-    fn steady(&self, found: &Motion, object: usize, begun: Begun, cycle: f64) -> Option<[f64; 2]> {
+    fn greatest_in_last_cycle(
+        &self,
+        found: &Motion,
+        object: usize,
+        begun: Begun,
+        cycle: f64,
+    ) -> Option<[f64; 2]> {
         let id = &self.system.model().objects[object].id;
         if begun == Begun::AsGiven && !found.recorded.record.times.is_empty() {
             return self.over_last_cycles(found, id, cycle);
@@ -284,7 +290,7 @@ impl Task<'_> {
             ..Demand::EVERYTHING
         };
         let again = motion(system, &settings, demand, self.control, &mut []).ok()?;
-        let good = again.is_complete() && self.failed(&again).is_none();
+        let good = again.is_complete() && self.cell_of_failed_run(&again).is_none();
         good.then(|| self.over_last_cycles(&again, id, cycle))?
     }
 
@@ -292,7 +298,7 @@ impl Task<'_> {
         let window = found.window.as_ref().ok();
         let whole = (found.outcome.time / cycle * (1.0 + 1e-12)).floor() * cycle;
         let end = window.map_or(whole, |[_, to]| *to);
-        steady(&found.recorded.record, id, end, cycle)
+        greatest_in_last_cycle(&found.recorded.record, id, end, cycle)
     }
 
     /// How far the figure moves when loads and gaps change by [`CHANGE`], as a
@@ -312,11 +318,11 @@ impl Task<'_> {
         }
         let scale = match lookup::is_address(&self.study.figure) {
             true => value.abs(),
-            false => scale(&self.study.figure, self.system.model(), self.settings, base),
+            false => scale_of_figure(&self.study.figure, self.system.model(), self.settings, base),
         };
-        let gone = self.failed(&other).is_some();
+        let gone = self.cell_of_failed_run(&other).is_some();
         Ok(Some(match self.value(&changed, &other)? {
-            Some(other) if !gone => share(other - value, scale),
+            Some(other) if !gone => relative_difference(other - value, scale),
             _ => f64::INFINITY,
         }))
     }
@@ -324,7 +330,7 @@ impl Task<'_> {
 
 /// Greatest |δ| of an object over the cycle before the last one and over that which
 /// ends at `end` (s), from the samples.
-fn steady(record: &Record, id: &str, end: f64, cycle: f64) -> Option<[f64; 2]> {
+fn greatest_in_last_cycle(record: &Record, id: &str, end: f64, cycle: f64) -> Option<[f64; 2]> {
     let column = record.column(id, Quantity::Delta)?;
     let over = |from: f64, to: f64| {
         let samples = record.times.iter().zip(&column.values);
@@ -341,7 +347,7 @@ fn steady(record: &Record, id: &str, end: f64, cycle: f64) -> Option<[f64; 2]> {
     ])
 }
 
-fn share(difference: f64, scale: f64) -> f64 {
+fn relative_difference(difference: f64, scale: f64) -> f64 {
     if difference == 0.0 {
         0.0
     } else {
@@ -361,7 +367,7 @@ fn bound(study: &Study<'_>, found: &Motion, settings: &RunSettings) -> f64 {
 
 /// Notes how far the figure moves, and whether that is too far; the verdict on the
 /// mechanism stays.
-fn mark(cell: &mut Cell, moved: f64, bound: f64) {
+fn note_sensitivity(cell: &mut Cell, moved: f64, bound: f64) {
     let determined = moved <= bound;
     if !determined {
         let how = match moved.is_finite() {

@@ -20,7 +20,7 @@ pub(super) fn failure_verdict(
     found: &Motion,
 ) -> Option<(Verdict, String)> {
     let (name, because) = stop_in_words(&found.outcome.stop);
-    let ending = RunEnd::named(name);
+    let ending = RunEnd::end_of_stopped_run(name);
     let time = shown(found.outcome.time, 7);
     let method = &found.choice.name;
     let trusted = judgement(model, settings, found) != Judgement::NotToBeTrusted;
@@ -30,7 +30,7 @@ pub(super) fn failure_verdict(
             (Verdict::NumericalFailure, cause)
         }
         (RunEnd::Complete | RunEnd::FromOutside | RunEnd::OfScene | RunEnd::OfMechanism, false) => {
-            let cause = format!("{method}: {}", doubt(settings, found));
+            let cause = format!("{method}: {}", failed_check(settings, found));
             (Verdict::NumericalFailure, cause)
         }
         (RunEnd::OfMechanism, true) => (Verdict::Stopped, format!("stops at {time} s: {because}")),
@@ -46,7 +46,7 @@ pub(super) fn failure_verdict(
 /// The verdict that `dam run` gives on this run.
 fn judgement(model: &Model, settings: &RunSettings, found: &Motion) -> Judgement {
     let figures: Vec<&ObjectFigures> = found.recorded.figures.iter().collect();
-    let ending = RunEnd::named(stop_in_words(&found.outcome.stop).0);
+    let ending = RunEnd::end_of_stopped_run(stop_in_words(&found.outcome.stop).0);
     let errors = Errors {
         energy: found.recorded.audit.error(),
         tolerance: settings.tolerance,
@@ -61,7 +61,7 @@ fn judgement(model: &Model, settings: &RunSettings, found: &Motion) -> Judgement
 }
 
 /// The check that a run failed.
-fn doubt(settings: &RunSettings, found: &Motion) -> String {
+fn failed_check(settings: &RunSettings, found: &Motion) -> String {
     let open = || Warning::of_equations(&found.equations);
     let warning = spoiling(&found.recorded, settings).or_else(open);
     warning.unwrap_or(Warning::NotFinite).to_string()

@@ -5,7 +5,7 @@ use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
 use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::studies::document::{blank, document, summary};
-use crate::studies::expectations::instead_of;
+use crate::studies::expectations::suggest_instead;
 use crate::studies::run::Motion;
 use crate::studies::{RunSettings, lookup};
 
@@ -49,7 +49,7 @@ pub(in crate::studies) fn check_figure(figure: &str, model: &Model) -> Result<()
     Err(Fault::new(
         "",
         format!("there is no result `{figure}`"),
-        instead_of(figure, &close),
+        suggest_instead(figure, &close),
     ))
 }
 
@@ -95,7 +95,7 @@ fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
 /// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
 /// is judged by.
 pub(super) fn figure_of_object(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {
-    let (object, name) = parts(figure, model)?;
+    let (object, name) = object_and_figure(figure, model)?;
     let margins = |part: &ObjectPart| {
         let pair = part.rigid_pair;
         pair.is_some_and(|pair| pair.closure == Closure::Force)
@@ -124,15 +124,20 @@ pub(super) fn figure_of_object(figure: &str, model: &Model) -> Option<(usize, Re
 }
 
 /// Object (index in the model) and name of a figure.
-fn parts<'f>(figure: &'f str, model: &Model) -> Option<(usize, &'f str)> {
+fn object_and_figure<'f>(figure: &'f str, model: &Model) -> Option<(usize, &'f str)> {
     let (id, name) = owner_of(figure, |id| model.objects.iter().any(|part| part.id == id));
     let object = model.objects.iter().position(|part| part.id == id)?;
     Some((object, name))
 }
 
 /// What a difference in a figure is measured against: see [`Figures::scale`].
-pub(super) fn scale(figure: &str, model: &Model, settings: &RunSettings, found: &Motion) -> f64 {
-    let own = parts(figure, model);
+pub(super) fn scale_of_figure(
+    figure: &str,
+    model: &Model,
+    settings: &RunSettings,
+    found: &Motion,
+) -> f64 {
+    let own = object_and_figure(figure, model);
     let own = own.and_then(|(object, name)| {
         scale_of_object(&found.recorded.figures[object], name, found.outcome.time)
     });
@@ -160,7 +165,7 @@ pub(super) fn read(
     settings: &RunSettings,
     found: &Motion,
 ) -> Option<f64> {
-    let own = parts(figure, model);
+    let own = object_and_figure(figure, model);
     let own = own.and_then(|(object, name)| of_object(&found.recorded.figures[object], name));
     // (Most figures need no document to be read.)
     own.or_else(|| run_figures(model, settings, found).value(figure).ok())

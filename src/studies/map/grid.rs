@@ -202,7 +202,7 @@ impl<'w> Work<'w> {
                 return;
             };
             self.listener.cell();
-            if let Some(cells) = row.put(place, found) {
+            if let Some(cells) = row.store_cell(place, found) {
                 self.finish(row.row, cells);
             }
         }
@@ -219,7 +219,7 @@ impl<'w> Work<'w> {
 
 impl OpenRow {
     /// Keeps a cell; the whole row with its last one.
-    fn put(&self, place: usize, cell: Cell) -> Option<Vec<Cell>> {
+    fn store_cell(&self, place: usize, cell: Cell) -> Option<Vec<Cell>> {
         let mut done = lock(&self.done);
         let (cells, missing) = &mut *done;
         if cells.is_empty() {

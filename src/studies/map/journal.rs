@@ -62,7 +62,7 @@ pub struct Journal {
 }
 
 /// The first line of a study's journal.
-pub fn head(study: &Study<'_>) -> String {
+pub fn first_line(study: &Study<'_>) -> String {
     line(&Head {
         dam_map: 2,
         hash: study.hash.clone(),
@@ -78,14 +78,14 @@ pub fn row(row: usize, cells: &[Cell]) -> String {
 }
 
 /// Cells of a map that was shared out, from the `first` on, as a text of its own.
-pub fn part(study: &Study<'_>, first: usize, cells: &[Cell]) -> String {
+pub fn text_of_cells(study: &Study<'_>, first: usize, cells: &[Cell]) -> String {
     let pieces = cells.chunks(IN_A_LINE).enumerate().map(|(at, cells)| {
         line(&Piece {
             first: first + at * IN_A_LINE,
             cells: cells.iter().map(stored).collect(),
         })
     });
-    std::iter::once(head(study)).chain(pieces).collect()
+    std::iter::once(first_line(study)).chain(pieces).collect()
 }
 
 /// The rows of a map of all its parts, in any order; cells may be there several times.
@@ -100,14 +100,14 @@ pub fn merge<'p>(
     let mut all: Vec<Option<Cell>> = vec![None; study.cells()];
     for (name, bytes) in parts {
         let wrong = |what: String| format!("`{name}`: {what}");
-        let first = head(study);
+        let first = first_line(study);
         if !bytes.starts_with(first.as_bytes()) {
             // What is wrong with it, in the words of a journal.
             let what = read(study, bytes).err();
             return Err(wrong(what.unwrap_or_else(|| "it is torn".to_owned())));
         }
         for line in bytes[first.len()..].split_inclusive(|&byte| byte == b'\n') {
-            let piece = line.strip_suffix(b"\n").and_then(body::<Piece>);
+            let piece = line.strip_suffix(b"\n").and_then(parse_whole_line::<Piece>);
             let piece = piece.ok_or_else(|| wrong("it is torn".to_owned()))?;
             for (at, cell) in (piece.first..).zip(piece.cells) {
                 let place = all.get_mut(at);
@@ -165,7 +165,7 @@ fn digest(body: &str) -> String {
 /// # Errors
 /// It is the journal of another study, or no journal at all, in words.
 pub fn read(study: &Study<'_>, bytes: &[u8]) -> Result<Journal, String> {
-    let first = head(study);
+    let first = first_line(study);
     if first.as_bytes().starts_with(bytes) {
         let whole = if bytes.len() == first.len() {
             first.len()
@@ -181,7 +181,7 @@ pub fn read(study: &Study<'_>, bytes: &[u8]) -> Result<Journal, String> {
         let known = bytes
             .split(|&byte| byte == b'\n')
             .next()
-            .and_then(body::<Head>);
+            .and_then(parse_whole_line::<Head>);
         return Err(match known {
             Some(_) => "it belongs to another study: the scene, the axes, the result, the \
                         settings or the program have changed since"
@@ -194,7 +194,7 @@ pub fn read(study: &Study<'_>, bytes: &[u8]) -> Result<Journal, String> {
         ..Journal::default()
     };
     for line in bytes[first.len()..].split_inclusive(|&byte| byte == b'\n') {
-        let Some(row) = line.strip_suffix(b"\n").and_then(body::<Row>) else {
+        let Some(row) = line.strip_suffix(b"\n").and_then(parse_whole_line::<Row>) else {
             break;
         };
         if row.row >= study.rows() || row.cells.len() != study.row(row.row).1.len() {
@@ -208,7 +208,7 @@ pub fn read(study: &Study<'_>, bytes: &[u8]) -> Result<Journal, String> {
 }
 
 /// What a whole line holds; `None` when it was torn or changed.
-fn body<T: for<'de> Deserialize<'de>>(line: &[u8]) -> Option<T> {
+fn parse_whole_line<T: for<'de> Deserialize<'de>>(line: &[u8]) -> Option<T> {
     let text = std::str::from_utf8(line).ok()?;
     let (found, body) = text.split_once(' ')?;
     (found == digest(body)).then(|| serde_json::from_str(body).ok())?

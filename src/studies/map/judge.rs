@@ -49,7 +49,7 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
         return found;
     }
     if whole == Judgement::NotJudged {
-        return match (0..objects).find_map(|object| creeps(evidence, object)) {
+        return match (0..objects).find_map(|object| creep_cause(evidence, object)) {
             Some(cause) => (Verdict::CreepNotJudged, cause),
             None => {
                 let cause = "no loss of contact; there is no window in which to see whether it \
@@ -82,7 +82,7 @@ pub(super) fn reported<'f>(
 }
 
 /// Where regularised friction lets an object creep.
-fn creeps(evidence: &Evidence<'_>, object: usize) -> Option<String> {
+fn creep_cause(evidence: &Evidence<'_>, object: usize) -> Option<String> {
     let creep = evidence.figures[object].creep?;
     let part = &evidence.system.model().objects[object];
     let units = units(part.coordinate);

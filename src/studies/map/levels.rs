@@ -10,7 +10,7 @@ const MOST_MASSES: usize = 256;
 
 /// The finest levels that the figure needs at any of some points of a map; what is no
 /// mechanism there is left out.
-pub(super) fn levels(points: impl Iterator<Item = Reading>, figure: &str) -> Levels {
+pub(super) fn finest_levels(points: impl Iterator<Item = Reading>, figure: &str) -> Levels {
     let mut points: Vec<Point> = points
         .filter_map(|reading| Point::new(reading, figure))
         .collect();
@@ -77,7 +77,7 @@ impl Point {
     fn new(reading: Reading, figure: &str) -> Option<Self> {
         let mut scene = reading.scene;
         let elastic = scene.elastic();
-        elastic.open().next()?;
+        elastic.open_levels().next()?;
         let asked = AccuracySpec::Figures(vec![(figure.to_owned(), USUAL)]);
         scene.run.accuracy.get_or_insert(asked);
         // Its cells are integrated as the scene says.
@@ -121,7 +121,7 @@ impl Point {
 
 #[cfg(test)]
 mod tests {
-    use super::{Point, levels};
+    use super::{Point, finest_levels};
     use crate::dynamics::builder::spec::Level;
     use crate::frontend::scene::{BuiltIn, Document, Overrides, Reading};
 
@@ -151,7 +151,7 @@ mod tests {
         };
         assert!(matches!(own(3.0), Level::Modes { .. }));
         assert!(matches!(own(10.0), Level::Masses { .. }));
-        let common = levels(walls.into_iter().map(rod), FIGURE);
+        let common = finest_levels(walls.into_iter().map(rod), FIGURE);
         assert!(matches!(common["body"], Level::Masses { .. }), "{common:?}");
         for wall in walls {
             let mut point = Point::new(rod(wall), FIGURE).unwrap();

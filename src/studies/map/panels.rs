@@ -63,14 +63,14 @@ impl Panels {
             let outer = std::mem::take(&mut all.panels);
             all.panels = outer
                 .iter()
-                .flat_map(|outer| own.iter().map(move |inner| joined(outer, inner)))
+                .flat_map(|outer| own.iter().map(move |inner| join_panels(outer, inner)))
                 .collect();
         }
         Ok(all)
     }
 }
 
-fn joined(outer: &Panel, inner: &Panel) -> Panel {
+fn join_panels(outer: &Panel, inner: &Panel) -> Panel {
     let labels = [outer.label.as_str(), inner.label.as_str()];
     let labels: Vec<&str> = labels
         .into_iter()

@@ -98,7 +98,7 @@ impl Path {
         path.times = times.collect();
         // Drivers stand before what they drive.
         for place in 0..path.heads.len() {
-            let motion = path.follow(model, path.heads[place]);
+            let motion = path.motion_of_node(model, path.heads[place]);
             path.motions.push(motion);
         }
         for (object, part) in model.objects.iter().enumerate() {
@@ -108,12 +108,12 @@ impl Path {
     }
 
     /// Numbers that it holds.
-    pub(super) fn size(&self) -> usize {
+    pub(super) fn count_of_numbers(&self) -> usize {
         4 * self.motions.len() * self.times.len()
     }
 
     /// The motion of a node whose driver has been followed.
-    fn follow(&self, model: &Model, node: NodeIndex) -> Motion {
+    fn motion_of_node(&self, model: &Model, node: NodeIndex) -> Motion {
         let at = |(place, &time): (usize, &f64)| match &model.nodes[node].motion {
             NodeMotion::Prescribed { motion, .. } => {
                 let jet = instant(motion, time);
@@ -129,7 +129,7 @@ impl Path {
                     ..Jet::default()
                 };
                 let slope = transfer(model, law, driver.value, driver.first);
-                let jet = slope.after(driver);
+                let jet = slope.composed_with(driver);
                 [jet.value, jet.first, jet.second, slope.first]
             }
         };
@@ -164,7 +164,7 @@ impl Path {
             .peekable();
         // What a linkage hands on to its driver is not followed here.
         if pairs.peek().is_some() && !self.times.is_empty() && model.linkages.is_empty() {
-            let mut forces = self.forces(model);
+            let mut forces = self.forces_at_places(model);
             let count = self.times.len();
             for (pair, node) in pairs {
                 let place = self.places[node];
@@ -186,7 +186,7 @@ impl Path {
 
     /// The forces P at every place over the instants, gathered from the last
     /// follower to the drives.
-    fn forces(&self, model: &Model) -> Vec<f64> {
+    fn forces_at_places(&self, model: &Model) -> Vec<f64> {
         let count = self.times.len();
         let mut forces = vec![0.0; self.heads.len() * count];
         for (node, &place) in model.nodes.iter().zip(&self.places) {

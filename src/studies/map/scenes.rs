@@ -57,7 +57,7 @@ impl MotionCache {
         }
         let path = Path::new(model, duration);
         let found = path.rigid_motion(model);
-        self.path = (path.size() <= MOST_KEPT).then_some(path);
+        self.path = (path.count_of_numbers() <= MOST_KEPT).then_some(path);
         found
     }
 }

@@ -1,7 +1,7 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
 use super::figure::{check_figure, default_figure, no_elastic_object_message, unit};
-use super::levels::{levels, shortfall};
+use super::levels::{finest_levels, shortfall};
 use super::panels::Panels;
 use crate::dynamics::system::System;
 use crate::frontend::diagnostics::Diagnostics;
@@ -107,7 +107,7 @@ impl<'a> Study<'a> {
         check(&question).map_err(StudyFault::Question)?;
         let mut study = Self {
             document: document.clone(),
-            bare: document.bare(),
+            bare: document.without_expectations(),
             catalogue,
             overrides: question.overrides,
             x_values: question.x.values(),
@@ -136,7 +136,7 @@ impl<'a> Study<'a> {
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
         }
-        study.levels = levels(study.probed(), &study.figure);
+        study.levels = finest_levels(study.probed(), &study.figure);
         study.document = study.document.clone().with_levels(study.levels.clone());
         study.bare = study.bare.clone().with_levels(study.levels.clone());
         study.hash = study.digest(&hashes);
@@ -300,7 +300,7 @@ impl<'a> Study<'a> {
 
     /// Those of them that vary from cell to cell.
     pub(super) fn varied(&self, cell: usize) -> Vec<String> {
-        let (x, y) = self.place(cell);
+        let (x, y) = self.parameters_at_cell(cell);
         let second = self.y.as_ref().zip(y);
         let second = second.map(|(axis, y)| axis.setting(y));
         std::iter::once(self.x.setting(x)).chain(second).collect()
@@ -318,7 +318,7 @@ impl<'a> Study<'a> {
     }
 
     /// Values of the parameters at a cell, in the units of the axes.
-    pub fn place(&self, cell: usize) -> (f64, Option<f64>) {
+    pub fn parameters_at_cell(&self, cell: usize) -> (f64, Option<f64>) {
         let columns = self.columns();
         (
             self.x_values[cell % columns],

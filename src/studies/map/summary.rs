@@ -85,11 +85,11 @@ fn extreme(
         }
     }
     let (index, value, verdict) = best?;
-    let place = study.place(index);
+    let place = study.parameters_at_cell(index);
     Some(Extreme {
         value,
-        x: study.x.written(place.0),
-        y: (study.y.as_ref().zip(place.1)).map(|(axis, y)| axis.written(y)),
+        x: study.x.value_with_unit(place.0),
+        y: (study.y.as_ref().zip(place.1)).map(|(axis, y)| axis.value_with_unit(y)),
         place,
         verdict,
     })

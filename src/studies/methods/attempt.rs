@@ -87,7 +87,7 @@ impl Attempt {
     /// Runs once more with the recorder, for the figures.
     fn record(&mut self, problem: &Problem<'_>, effort: &Effort<'_>) {
         let control = effort.control.within(effort.limit * RECORDED_TAKES);
-        let settings = problem.with(self.method, self.setting);
+        let settings = problem.settings_at_point(self.method, self.setting);
         let recorded = run(problem.system, &settings, &control, &mut []);
         self.figures = recorded
             .ok()
@@ -102,7 +102,7 @@ impl Attempt {
         setting: Setting,
         effort: &Effort<'_>,
     ) -> Self {
-        let settings = problem.with(method, setting);
+        let settings = problem.settings_at_point(method, setting);
         let control = effort.control.within(effort.limit);
         let run = light_run(
             problem.system,
@@ -126,7 +126,7 @@ impl Attempt {
     }
 
     fn repeat(&mut self, problem: &Problem<'_>, effort: &Effort<'_>) {
-        let settings = problem.with(self.method, self.setting);
+        let settings = problem.settings_at_point(self.method, self.setting);
         let limit = effort.limit.as_secs_f64().min(MOST_REPEATING);
         while self.seconds.len() < effort.repeats && self.seconds.iter().sum::<f64>() < limit {
             let control = effort.control.within(effort.limit * 2);
@@ -186,7 +186,7 @@ impl Attempt {
 
 impl Problem<'_> {
     /// The settings of a run at a point.
-    pub(super) fn with(&self, method: Method, setting: Setting) -> RunSettings {
+    pub(super) fn settings_at_point(&self, method: Method, setting: Setting) -> RunSettings {
         RunSettings {
             method: Some(method),
             tolerance: setting.tolerance().unwrap_or(self.settings.tolerance),

@@ -79,7 +79,7 @@ impl Witness {
 /// nearest to each other. Runs of a method stand together, the coarsest first; `None` among
 /// them: the run did not end well. `distance` is relative to the size of the motion;
 /// what is below `resolution` cannot be told from nothing.
-pub(super) fn doubt(
+pub(super) fn doubt_about_reference(
     witnesses: &[Option<Witness>],
     reference: (usize, &str),
     resolution: f64,

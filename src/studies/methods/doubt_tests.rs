@@ -1,6 +1,6 @@
 //! Doubt over tables of results: the end values of a wheel behind a smooth written motion.
 
-use super::{Doubt, Witness, doubt};
+use super::{Doubt, Witness, doubt_about_reference};
 use crate::dynamics::integrate::Method;
 
 /// A run: its method, its tolerance, and the greatest deflection that it found (rad).
@@ -25,7 +25,7 @@ fn judge(rows: &[Row], resolution: f64) -> Option<Doubt> {
         })
     };
     let witnesses: Vec<_> = rows.iter().map(witness).collect();
-    doubt(&witnesses, (0, "exact"), resolution, |a, b| {
+    doubt_about_reference(&witnesses, (0, "exact"), resolution, |a, b| {
         let (a, b) = (rows[a].2, rows[b].2);
         Some((a - b).abs() / a.abs().max(b.abs()))
     })

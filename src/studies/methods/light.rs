@@ -90,7 +90,7 @@ impl<'r> Listener<'r> {
         }
     }
 
-    fn due(&self) -> f64 {
+    fn next_sample_time(&self) -> f64 {
         self.duration * (self.next as f64 / self.intervals as f64)
     }
 
@@ -122,7 +122,7 @@ impl Sink for Listener<'_> {
     fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
         self.trace.longest_step = self.trace.longest_step.max(step.length);
         while self.reads_within_steps(step.end_time()) {
-            let s = (self.due() - step.start) / step.length;
+            let s = (self.next_sample_time() - step.start) / step.length;
             self.sample_tracks(step, s.clamp(0.0, step.end), true);
             self.next += 1;
         }
@@ -139,7 +139,7 @@ impl Sink for Listener<'_> {
     fn reads_within_steps(&self, until: f64) -> bool {
         // The last sample must not be lost to rounding of the clock.
         let until = until + 1e-9 * self.duration / self.intervals as f64;
-        self.next <= self.intervals && self.due() <= until
+        self.next <= self.intervals && self.next_sample_time() <= until
     }
 }
 
@@ -210,7 +210,7 @@ fn exact_run(
     control: &Control<'_>,
 ) -> Result<TimedRun, String> {
     let begun = Instant::now();
-    let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
+    let parts = exact::exact_parts(system).map_err(|faults| reasons(&faults))?;
     let samples = settings.samples.max(1);
     let (limits, end) = (control.limits(settings), settings.duration);
     let deviations = exact::deviations(system, &parts, initial, (end, samples), &limits);

@@ -39,7 +39,7 @@ pub fn recommend(lines: &[MethodLine], accuracy: f64) -> Recommendation {
         // The error of the reference is how far the next one is from it: no distance
         // from the truth by which it could be the nearest.
         let others = points().filter(|(_, point)| !point.is_reference);
-        return none(
+        return no_method_suffices(
             others.filter_map(|(line, p)| Some((line, p.error?))),
             accuracy,
         );
@@ -85,7 +85,10 @@ fn reached(point: &super::Point) -> String {
 }
 
 /// No method reaches the accuracy: names the one that comes nearest.
-fn none<'a>(points: impl Iterator<Item = (&'a MethodLine, f64)>, accuracy: f64) -> Recommendation {
+fn no_method_suffices<'a>(
+    points: impl Iterator<Item = (&'a MethodLine, f64)>,
+    accuracy: f64,
+) -> Recommendation {
     let nearest = points.min_by(|a, b| a.1.total_cmp(&b.1));
     let nearest = nearest.map_or("none can be judged".to_owned(), |(line, error)| {
         format!(

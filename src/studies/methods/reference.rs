@@ -12,7 +12,7 @@
 mod moved;
 
 use super::attempt::{Attempt, Effort, Problem};
-use super::doubt::{AGREE, Doubt, Witness, doubt};
+use super::doubt::{AGREE, Doubt, Witness, doubt_about_reference};
 use super::light::Trace;
 use super::setting::{Setting, is_exact};
 use crate::dynamics::integrate::Method;
@@ -96,7 +96,12 @@ pub(super) struct ReferenceInUse {
 
 /// Greatest difference of two traces up to a sample, relative to `sizes`.
 /// `None`: one of them does not go so far.
-pub(super) fn distance(a: &Trace, b: &Trace, sizes: &[f64], until: usize) -> Option<f64> {
+pub(super) fn difference_of_traces(
+    a: &Trace,
+    b: &Trace,
+    sizes: &[f64],
+    until: usize,
+) -> Option<f64> {
     let tracks = a.samples.iter().zip(&b.samples).zip(sizes);
     let mut greatest = 0.0f64;
     for ((a, b), size) in tracks.filter(|(_, size)| **size > 0.0) {
@@ -133,7 +138,7 @@ pub(super) fn find(
     let guess = finest[guess];
     let moved = PerturbedRun::of(problem, &attempts[guess], effort);
     let last = last_sample(trace(&attempts[guess]));
-    let (until, share) = moved.horizon(trace(&attempts[guess]), last);
+    let (until, share) = moved.determined_until(trace(&attempts[guess]), last);
     let pair = nearest(attempts, &finest, &scales, Some(until));
     let (index, agreement) = match (exact, pair) {
         (Some(exact), _) => (finest[exact], None),
@@ -152,7 +157,7 @@ pub(super) fn find(
     let attempt = &attempts[index];
     let witnesses: Vec<Option<Witness>> = attempts.iter().map(Witness::of).collect();
     // A pair of methods is no nearer to the truth than it is to itself.
-    let doubt = doubt(&witnesses, (index, &name(attempt)), resolution, |a, b| {
+    let doubt = doubt_about_reference(&witnesses, (index, &name(attempt)), resolution, |a, b| {
         distance_between(attempts, a, b, &scales, Some(until))
     });
     if doubt.is_some() {
@@ -230,12 +235,12 @@ fn scales(problem: &Problem<'_>) -> Vec<f64> {
 fn sizes(scales: &[f64], trace: &Trace, until: usize) -> Vec<f64> {
     let tracks = scales.iter().enumerate();
     tracks
-        .map(|(index, scale)| size(greatest(trace, index, until), *scale))
+        .map(|(index, scale)| reference_size(greatest(trace, index, until), *scale))
         .collect()
 }
 
 /// What a difference of a deviation is taken relative to.
-fn size(greatest: f64, scale: f64) -> f64 {
+fn reference_size(greatest: f64, scale: f64) -> f64 {
     match greatest <= NO_DEVIATION * scale {
         true => scale,
         false => greatest,
@@ -258,7 +263,7 @@ fn common_sizes(a: &Trace, b: &Trace, scales: &[f64], until: usize) -> Vec<f64> 
     tracks
         .map(|(k, scale)| {
             let greatest = greatest(a, k, until).max(greatest(b, k, until));
-            size(greatest, *scale)
+            reference_size(greatest, *scale)
         })
         .collect()
 }
@@ -307,7 +312,7 @@ fn distance_between(
 ) -> Option<f64> {
     let (a, b) = (trace(&attempts[one]), trace(&attempts[other]));
     let until = until.unwrap_or(last_sample(a).min(last_sample(b)));
-    distance(a, b, &common_sizes(a, b, scales, until), until)
+    difference_of_traces(a, b, &common_sizes(a, b, scales, until), until)
 }
 
 /// All distances between the finest points.
@@ -343,8 +348,12 @@ fn confirmation(
     let others = attempts
         .iter()
         .filter(|other| other.method != own.method && other.has_ended_well());
-    let distances =
-        others.filter_map(|other| Some((distance(trace(own), trace(other), sizes, until)?, other)));
+    let distances = others.filter_map(|other| {
+        Some((
+            difference_of_traces(trace(own), trace(other), sizes, until)?,
+            other,
+        ))
+    });
     let (distance, other) = distances.min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(Distance {
         one: name(own),

@@ -90,7 +90,7 @@ pub(super) fn remark(method: Method) -> Option<&'static str> {
 pub fn stability_limit(method: Method, eigenvalue: [f64; 2]) -> Option<f64> {
     let coefficients = polynomial(method)?;
     let slack = SLACK;
-    limit(slack, eigenvalue, |x, y| growth(coefficients, x, y))
+    limit_with_slack(slack, eigenvalue, |x, y| amplification(coefficients, x, y))
 }
 
 /// The same for power series of the displacements to a degree d: their rates are
@@ -100,7 +100,7 @@ pub fn stability_limit(method: Method, eigenvalue: [f64; 2]) -> Option<f64> {
 /// off behind the power d − 1, since the slow partner of a fast rate counts for
 /// nothing beside it.)
 pub fn series_limit(degree: usize, eigenvalue: [f64; 2]) -> Option<f64> {
-    limit(SERIES_SLACK, eigenvalue, |x, y| series_growth(degree, x, y))
+    limit_with_slack(SERIES_SLACK, eigenvalue, |x, y| series_growth(degree, x, y))
 }
 
 /// Spectral radius of a step of a power series for a mode with hλ = x ± iy, in
@@ -134,7 +134,11 @@ fn series_growth(degree: usize, x: f64, y: f64) -> f64 {
     }
 }
 
-fn limit(slack: f64, eigenvalue: [f64; 2], growth: impl Fn(f64, f64) -> f64) -> Option<f64> {
+fn limit_with_slack(
+    slack: f64,
+    eigenvalue: [f64; 2],
+    growth: impl Fn(f64, f64) -> f64,
+) -> Option<f64> {
     const STEP: f64 = 1e-2;
     const FARTHEST: usize = 4000;
     let size = eigenvalue[0].hypot(eigenvalue[1]);
@@ -151,7 +155,7 @@ fn limit(slack: f64, eigenvalue: [f64; 2], growth: impl Fn(f64, f64) -> f64) -> 
 }
 
 /// |R(x + iy)|.
-fn growth(coefficients: &[f64], x: f64, y: f64) -> f64 {
+fn amplification(coefficients: &[f64], x: f64, y: f64) -> f64 {
     let value = coefficients
         .iter()
         .rev()
@@ -206,19 +210,19 @@ impl Spectrum {
     /// Bound of a method's step; `None`: nothing bounds it, or it is not known, or
     /// depends on the tolerance.
     pub(super) fn bound(&self, method: Method) -> Option<Bound> {
-        self.least(|eigenvalue| stability_limit(method, eigenvalue))
+        self.least_bound(|eigenvalue| stability_limit(method, eigenvalue))
     }
 
     /// Bound of a method's step at a tolerance, which the degree of series follows.
     pub(super) fn bound_at(&self, method: Method, tolerance: f64) -> Option<Bound> {
         match degree(method, tolerance) {
-            Some(degree) => self.least(|eigenvalue| series_limit(degree, eigenvalue)),
+            Some(degree) => self.least_bound(|eigenvalue| series_limit(degree, eigenvalue)),
             None => self.bound(method),
         }
     }
 
     /// The bound by the eigenvalue that bears the least step.
-    fn least(&self, limit: impl Fn([f64; 2]) -> Option<f64>) -> Option<Bound> {
+    fn least_bound(&self, limit: impl Fn([f64; 2]) -> Option<f64>) -> Option<Bound> {
         let bounds = self.values.iter().flatten().filter_map(|&eigenvalue| {
             let limit = limit(eigenvalue)?;
             Some(Bound { eigenvalue, limit })

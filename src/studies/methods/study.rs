@@ -16,7 +16,7 @@ use crate::dynamics::integrate::Method;
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
 use crate::studies::judgement::{Judgement as Working, RunEnd};
-use crate::studies::run::ended;
+use crate::studies::run::settings_until_condition;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
 use std::time::Duration;
@@ -136,7 +136,7 @@ pub fn study(
     control: &Control<'_>,
     progress: &mut dyn FnMut(&Now),
 ) -> Result<Study, Vec<Fault>> {
-    let settings = &ended(system, settings, control)?;
+    let settings = &settings_until_condition(system, settings, control)?;
     let tracks = tracks(system);
     let initial = start(system)?;
     let problem = Problem {
@@ -197,7 +197,7 @@ pub(super) fn judge_working(complete: bool, doubted: bool) -> Working {
         (false, false) => RunEnd::FromOutside,
         (false, true) => RunEnd::Complete,
     };
-    Working::decide(ending, &[], || Working::NotJudged)
+    Working::judge_result(ending, &[], || Working::NotJudged)
 }
 
 /// What is known of methods beforehand: what a short run need not show.

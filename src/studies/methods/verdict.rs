@@ -2,7 +2,7 @@
 
 use super::attempt::Attempt;
 use super::light::{TimedRun, Trace};
-use super::reference::{ReferenceInUse, distance};
+use super::reference::{ReferenceInUse, difference_of_traces};
 use super::stability::Bound;
 use crate::dynamics::integrate::Stop;
 use crate::studies::spread::CHANGE;
@@ -112,9 +112,10 @@ pub(super) fn judge(
             return Judgement::of(Verdict::Refused, reason);
         }
     };
-    let growth = truth.and_then(|truth| growth(timed, truth));
-    let error =
-        truth.and_then(|truth| distance(&truth.trace, &timed.trace, &truth.sizes, truth.until));
+    let growth = truth.and_then(|truth| growth_of_run(timed, truth));
+    let error = truth.and_then(|truth| {
+        difference_of_traces(&truth.trace, &timed.trace, &truth.sizes, truth.until)
+    });
     let broken = truth.and_then(|truth| broken_off(timed, truth, growth, bound));
     let stopped = || stopped(timed, truth.is_some(), growth, bound);
     let (verdict, cause) = match broken.or_else(stopped) {
@@ -124,7 +125,7 @@ pub(super) fn judge(
                 Verdict::NotJudged,
                 "no reference is known: no two methods agree".to_owned(),
             ),
-            Some(truth) => ended(attempt, timed, truth, error, growth, accuracy, bound),
+            Some(truth) => verdict_on_run(attempt, timed, truth, error, growth, accuracy, bound),
         },
     };
     Judgement {
@@ -195,7 +196,7 @@ fn stopped(
             ),
         ),
         Stop::NotFinite { what } => {
-            let beyond = beyond(timed, bound);
+            let beyond = stability_excess(timed, bound);
             match growth.is_some_and(|growth| growth > GROWN) || beyond.is_some() {
                 true => (Verdict::Unstable, grown(timed, growth, bound)),
                 false => (
@@ -220,7 +221,7 @@ fn has_accumulated_events(trace: &Trace) -> bool {
 }
 
 /// The verdict on a run that reached its end.
-fn ended(
+fn verdict_on_run(
     attempt: &Attempt,
     timed: &TimedRun,
     truth: &ReferenceInUse,
@@ -232,7 +233,7 @@ fn ended(
     if growth.is_some_and(|growth| growth > GROWN) {
         return (Verdict::Unstable, grown(timed, growth, bound));
     }
-    let found = count(&timed.trace, truth.public.horizon);
+    let found = count_of_samples(&timed.trace, truth.public.horizon);
     if let Some((verdict, cause)) = switches(found, truth.public.switches) {
         return (verdict, with_limit(cause, timed, bound));
     }
@@ -257,14 +258,14 @@ fn ended(
     }
     let mut cause = format!(
         "the error is {} times the {name} of {asked}, although it reported success",
-        times(error / asked),
+        factor_in_words(error / asked),
         asked = shown(asked, 1)
     );
     let multiplied = truth.public.moved / CHANGE;
     if multiplied > MULTIPLIES && error <= 10.0 * multiplied * asked {
         cause.push_str(&format!(
             "; the scene itself multiplies small differences {}-fold",
-            times(multiplied)
+            factor_in_words(multiplied)
         ));
     }
     if let Some(bound) = bound.filter(|_| attempt.setting.step().is_some()) {
@@ -277,7 +278,7 @@ fn ended(
     (Verdict::Inaccurate, cause)
 }
 
-fn times(factor: f64) -> String {
+fn factor_in_words(factor: f64) -> String {
     match factor {
         ..100.0 => format!("{factor:.1}"),
         ..1e4 => format!("{factor:.0}"),
@@ -307,12 +308,12 @@ fn switches(found: usize, truth: usize) -> Option<(Verdict, String)> {
     }
 }
 
-fn count(trace: &Trace, horizon: f64) -> usize {
+fn count_of_samples(trace: &Trace, horizon: f64) -> usize {
     trace.switches.iter().filter(|t| **t <= horizon).count()
 }
 
 /// Greatest |δ| over that of the reference, the worst track.
-fn growth(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
+fn growth_of_run(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
     let whole = truth.throughout || !matches!(timed.outcome.stop, Stop::Complete);
     let mut worst: Option<f64> = None;
     for (index, &size) in truth.sizes.iter().enumerate().filter(|(_, s)| **s > 0.0) {
@@ -330,7 +331,7 @@ fn growth(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
 }
 
 /// |λ|h where it exceeds the method's limit of stability.
-fn beyond(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
+fn stability_excess(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
     let bound = bound?;
     let product = bound.rate() * timed.trace.longest_step;
     (product > bound.limit).then_some(product)
@@ -338,7 +339,7 @@ fn beyond(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
 
 /// A cause, with the limit of stability where the step exceeds it.
 fn with_limit(cause: String, timed: &TimedRun, bound: Option<&Bound>) -> String {
-    let beyond = beyond(timed, bound).zip(bound);
+    let beyond = stability_excess(timed, bound).zip(bound);
     beyond.map_or(cause.clone(), |(product, bound)| {
         let place = axis(bound.eigenvalue);
         format!(

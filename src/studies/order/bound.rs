@@ -97,7 +97,7 @@ impl BaseMotion {
                 let [gravity, force] = constant_loads(chain)?;
                 (self.acceleration.abs() + gravity, force)
             }
-            Start::Explicit(_) => return None,
+            Start::Explicit(_) | Start::State(_) => return None,
         };
         let [greatest, last] = self.changes(left_out.fading);
         let worst = Excitation {
@@ -149,7 +149,7 @@ pub(super) fn truncation_bound(
     };
     let object = model.objects.iter().position(|object| object.id == id)?;
     // Where a coordinate of its own stands for the rest, other objects have a say in it.
-    if model.reduced(object)?.under_acceleration == 0.0 {
+    if model.reduction_of(object)?.under_acceleration == 0.0 {
         return None;
     }
     let part = &model.objects[object];

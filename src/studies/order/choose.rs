@@ -2,7 +2,7 @@
 
 use super::certificate::{Certainty, Certificate};
 use super::figure_limits::{FigureLimits, first_accurate_trial};
-use super::integration::coarsest;
+use super::integration::coarsest_tolerance;
 use super::lessen::lessened;
 use super::requested_figures::no_limit;
 use super::row::{Families, Family};
@@ -39,10 +39,10 @@ pub fn choose(
     settings: &RunSettings,
     control: &Control<'_>,
 ) -> Result<LevelChoice, Vec<Fault>> {
-    chosen(&mut Trials::new(scene, settings, control))
+    choose_levels(&mut Trials::new(scene, settings, control))
 }
 
-fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
+fn choose_levels(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     let mut families = families(trials);
     let known = FigureLimits::of(trials, &mut families)?;
     let judge = known.judge();
@@ -50,10 +50,10 @@ fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     if judge.accepts(trials, found) {
         found = lessened(trials, &families, &judge, found, |trials, _| !spent(trials));
     }
-    let of_accuracy = coarsest(trials, &judge, found)?;
+    let of_accuracy = coarsest_tolerance(trials, &judge, found)?;
     let levels = trials.made[found].levels.clone();
     let mut certificate = judge.certificate(trials, &families, found);
-    let open: Vec<String> = trials.elastic.open().cloned().collect();
+    let open: Vec<String> = trials.elastic.open_levels().cloned().collect();
     trials.elastic.clone().set(trials.scene, &levels);
     note_divergence(trials, found, &mut certificate)?;
     let levels = levels.into_iter().filter(|(id, _)| open.contains(id));
@@ -120,7 +120,7 @@ fn spent(trials: &Trials<'_>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{FREE_COST, MOST_COST, Trials, chosen};
+    use super::{FREE_COST, MOST_COST, Trials, choose_levels};
     use crate::frontend::scene::{BuiltIn, Document, Overrides};
     use crate::studies::{Control, RunSettings};
 
@@ -156,7 +156,7 @@ mod tests {
             let settings = RunSettings::of(&reading.scene).unwrap();
             let control = Control::default();
             let mut trials = Trials::new(&mut reading.scene, &settings, &control);
-            chosen(&mut trials).unwrap();
+            choose_levels(&mut trials).unwrap();
             assert!(trials.made.len() > 2, "{text}");
             let costs = || trials.made.iter().map(|trial| trial.cost);
             let (all, dearest) = (costs().sum::<f64>(), costs().fold(0.0, f64::max));

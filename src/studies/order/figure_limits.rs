@@ -31,12 +31,12 @@ impl FigureLimits {
         families: &mut Families,
     ) -> Result<Self, Vec<Fault>> {
         let mut asked_for = Vec::new();
-        let row = Row::walk(trials, families, |trials, row| {
+        let row = Row::refine_until_enough(trials, families, |trials, row| {
             if asked_for.is_empty() {
                 let first = &trials.made[row.runs[0]].figures;
                 asked_for = requested_figures(trials.scene, &trials.elastic, first);
             }
-            enough(trials, row, &asked_for)
+            limits_are_known(trials, row, &asked_for)
         })?;
         if row.runs.is_empty() {
             // The first run ended early, or is in doubt: nothing can be told from it.
@@ -44,7 +44,9 @@ impl FigureLimits {
             let found = &trials.made[base].figures;
             asked_for = requested_figures(trials.scene, &trials.elastic, found);
         }
-        let courses = asked_for.iter().map(|one| row.course(trials, one));
+        let courses = asked_for
+            .iter()
+            .map(|one| row.course_of_figure(trials, one));
         Ok(Self {
             courses: courses.collect(),
             row,
@@ -89,20 +91,22 @@ pub(in crate::studies) fn first_accurate_trial(
 
 /// True when every figure that has a limit is known as well as it is asked to be; where
 /// there is nothing to choose, when every one has settled.
-fn enough(trials: &Trials<'_>, row: &Row, asked: &[RequestedFigure]) -> bool {
-    let choice = trials.elastic.open().next().is_some();
+fn limits_are_known(trials: &Trials<'_>, row: &Row, asked: &[RequestedFigure]) -> bool {
+    let choice = trials.elastic.open_levels().next().is_some();
     let last = row.runs[row.runs.len() - 1];
-    asked.iter().all(|one| match row.course(trials, one) {
-        Course::NoLimit(_) | Course::Counts(_) => true,
-        Course::Open(_) => false,
-        Course::Bounded(found) => row.serves(trials, one, &found),
-        Course::Limit(found) => {
-            let bound = one.accuracy.bound(found.limit);
-            let off = (value(&trials.made[last], one) - found.limit).abs();
-            let known = !choice || off + found.error <= bound;
-            known && !may_be_bounded(trials, row, one, &found)
-        }
-    })
+    asked
+        .iter()
+        .all(|one| match row.course_of_figure(trials, one) {
+            Course::NoLimit(_) | Course::Counts(_) => true,
+            Course::Open(_) => false,
+            Course::Bounded(found) => row.serves(trials, one, &found),
+            Course::Limit(found) => {
+                let bound = one.accuracy.bound(found.limit);
+                let off = (value(&trials.made[last], one) - found.limit).abs();
+                let known = !choice || off + found.error <= bound;
+                known && !may_be_bounded(trials, row, one, &found)
+            }
+        })
 }
 
 /// True when a bound is to be had, and so much finer models than are needed have not been

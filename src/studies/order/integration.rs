@@ -70,7 +70,7 @@ fn round(number: f64) -> f64 {
 ///
 /// # Errors
 /// The model cannot be built or started.
-pub(super) fn coarsest(
+pub(super) fn coarsest_tolerance(
     trials: &mut Trials<'_>,
     judge: &Judge<'_>,
     chosen: usize,
@@ -109,7 +109,7 @@ fn measured(
     let mut measured = BTreeMap::new();
     let mut deciding: Option<(f64, String)> = None;
     for (asked, course) in judge.asked.iter().zip(judge.courses) {
-        let off = off(coarse, fine, &asked.figure);
+        let off = integration_error(coarse, fine, &asked.figure);
         let bound = Judge::bound(asked, course);
         let bound = bound.unwrap_or_else(|| asked.accuracy.bound(value(fine, asked)));
         let allowed = SHARE * bound;
@@ -138,7 +138,7 @@ fn measured(
 }
 
 /// How far a figure is off by the integration, in its unit.
-fn off(coarse: &Trial, fine: &Trial, figure: &str) -> f64 {
+fn integration_error(coarse: &Trial, fine: &Trial, figure: &str) -> f64 {
     let of = |trial: &Trial| trial.figures.value(figure).unwrap_or(f64::NAN);
     SAFETY * (of(coarse) - of(fine)).abs() + fine.integration_of(figure)
 }
@@ -163,17 +163,21 @@ fn expectations_are_decided(all: &[Expectation], coarse: &Trial, fine: &Trial) -
     let mut expected = all.iter().filter(|one| of_run(one));
     expected.all(|one| {
         let (figure, within) = match &one.what {
-            Expected::Figure { figure, allowed } => (figure.as_str(), room(allowed, fine, figure)),
+            Expected::Figure { figure, allowed } => {
+                (figure.as_str(), allowed_change(allowed, fine, figure))
+            }
             Expected::Stops { within, .. } => ("run.time", *within),
         };
         let gone = |trial: &Trial| trial.figures.value(figure).is_err();
         let computed = figure.starts_with("run.") && figure != "run.time";
-        computed || (gone(coarse) && gone(fine)) || off(coarse, fine, figure) <= SHARE * within
+        computed
+            || (gone(coarse) && gone(fine))
+            || integration_error(coarse, fine, figure) <= SHARE * within
     })
 }
 
 /// How far a figure may move: its bound, or how far its limits are.
-fn room(allowed: &AllowedValues, trial: &Trial, figure: &str) -> f64 {
+fn allowed_change(allowed: &AllowedValues, trial: &Trial, figure: &str) -> f64 {
     match *allowed {
         AllowedValues::Near { within, .. } => within,
         AllowedValues::Between { .. } => {

@@ -77,11 +77,11 @@ impl Judge<'_> {
 
     /// True when a trial is accurate enough, and the pairs of reduced objects stay closed.
     pub(in crate::studies) fn accepts(&self, trials: &Trials<'_>, made: usize) -> bool {
-        self.objection(trials, made).is_none()
+        self.reason_against_trial(trials, made).is_none()
     }
 
     /// What stands against a trial; `None`: nothing.
-    pub(in crate::studies) fn objection(
+    pub(in crate::studies) fn reason_against_trial(
         &self,
         trials: &Trials<'_>,
         made: usize,
@@ -144,7 +144,7 @@ impl Judge<'_> {
         });
         let mut tried: Vec<TriedModel> = (trials.made.iter().enumerate())
             .filter(|(made, _)| self.meaningless(trials, *made).is_none() || *made == found)
-            .map(|(made, trial)| self.tried(trial, made == found))
+            .map(|(made, trial)| self.tried_model(trial, made == found))
             .collect();
         tried.sort_by_key(|one| one.coordinates);
         Certificate {
@@ -154,7 +154,7 @@ impl Judge<'_> {
         }
     }
 
-    fn tried(&self, trial: &Trial, chosen: bool) -> TriedModel {
+    fn tried_model(&self, trial: &Trial, chosen: bool) -> TriedModel {
         let value = |asked: &RequestedFigure| {
             let value = trial.figures.value(&asked.figure).ok();
             (asked.figure.clone(), value)

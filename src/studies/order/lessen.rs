@@ -2,7 +2,7 @@
 
 use super::judge::Judge;
 use super::row::{Families, Family, coarsened};
-use super::trial::{Trials, with};
+use super::trial::{Trials, with_level};
 use crate::dynamics::builder::spec::Level;
 
 /// A lesser level of one object, tried.
@@ -24,13 +24,13 @@ pub(in crate::studies) fn lessened(
     mut found: usize,
     mut go_on: impl FnMut(&Trials<'_>, Option<LevelReduction>) -> bool,
 ) -> usize {
-    let ids: Vec<String> = trials.elastic.open().cloned().collect();
+    let ids: Vec<String> = trials.elastic.open_levels().cloned().collect();
     for id in ids {
-        for level in lesser(trials, families[&id], &id, trials.made[found].levels[&id]) {
+        for level in lower_levels(trials, families[&id], &id, trials.made[found].levels[&id]) {
             if !go_on(trials, None) {
                 return found;
             }
-            let levels = with(&trials.made[found].levels, &id, level);
+            let levels = with_level(&trials.made[found].levels, &id, level);
             // A level that the object cannot have has faults.
             let Ok(made) = trials.at(&levels) else {
                 continue;
@@ -57,7 +57,7 @@ pub(in crate::studies) fn lessened(
 }
 
 /// The levels of an object below one, from the least.
-fn lesser(trials: &Trials<'_>, family: Family, id: &str, than: Level) -> Vec<Level> {
+fn lower_levels(trials: &Trials<'_>, family: Family, id: &str, than: Level) -> Vec<Level> {
     let mut levels = Vec::new();
     if than != Level::Rigid && trials.may_be_rigid(id) {
         levels.push(Level::Rigid);
@@ -74,15 +74,17 @@ fn lesser(trials: &Trials<'_>, family: Family, id: &str, than: Level) -> Vec<Lev
         // Modes of an object that is held need a pair that has been found to stay closed.
         let counts = (0..).map(|power| 1 << power);
         let modes = counts.map(|count| Level::Modes { count });
-        levels.extend(modes.take_while(|&level| size(level, free) <= than.coordinates()));
+        levels.extend(
+            modes.take_while(|&level| count_of_coordinates(level, free) <= than.coordinates()),
+        );
     }
-    levels.sort_by_key(|&level| size(level, free));
+    levels.sort_by_key(|&level| count_of_coordinates(level, free));
     levels
 }
 
 /// Coordinates of an object at a level, those that its modes bring along behind a contact
 /// element included: the rigid body, and what the output gives way by.
-fn size(level: Level, free: bool) -> usize {
+fn count_of_coordinates(level: Level, free: bool) -> usize {
     let more = match level {
         Level::Modes { .. } if free => 2,
         _ => 0,

@@ -29,19 +29,20 @@ pub fn limits(
 ) -> Result<Limits, Vec<Fault>> {
     let mut trials = Trials::new(scene, settings, control);
     let mut families = families(&trials);
-    let row = Row::walk(&mut trials, &mut families, |_, row| row.runs.len() == RUNS)?;
+    let row =
+        Row::refine_until_enough(&mut trials, &mut families, |_, row| row.runs.len() == RUNS)?;
     let asked = |figure| RequestedFigure {
         figure,
         accuracy: Accuracy::Share(0.0),
     };
     let limit = |asked: RequestedFigure| {
-        let limit = limit(row.course(&trials, &asked));
+        let limit = limit_of_course(row.course_of_figure(&trials, &asked));
         (asked.figure, limit)
     };
     Ok(figures.map(asked).map(limit).collect())
 }
 
-fn limit(course: Course) -> Limit {
+fn limit_of_course(course: Course) -> Limit {
     let none = Limit {
         value: None,
         error: None,

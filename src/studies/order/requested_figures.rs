@@ -42,7 +42,7 @@ pub(in crate::studies) fn requested_figures(
     };
     let expected = scene.expect.iter().filter(|one| of_run(one));
     let expected = expected.filter_map(|one| match &one.what {
-        Expected::Figure { figure, allowed } => Some((figure, size(allowed))),
+        Expected::Figure { figure, allowed } => Some((figure, size_of_expected(allowed))),
         Expected::Stops { .. } => None,
     });
     // A share of nothing is nothing.
@@ -51,7 +51,7 @@ pub(in crate::studies) fn requested_figures(
     let expected = expected.filter(says).map(|(figure, _)| figure.clone());
     let mut figures: Vec<String> = expected.collect();
     if figures.is_empty() {
-        let open: Vec<&String> = elastic.open().collect();
+        let open: Vec<&String> = elastic.open_levels().collect();
         let ids = elastic.objects.keys();
         let ids = ids.filter(|id| open.is_empty() || open.contains(id));
         figures = ids
@@ -67,7 +67,7 @@ pub(in crate::studies) fn requested_figures(
 }
 
 /// Size of an expected value.
-fn size(allowed: &AllowedValues) -> f64 {
+fn size_of_expected(allowed: &AllowedValues) -> f64 {
     match *allowed {
         AllowedValues::Near { value, .. } => value.abs(),
         AllowedValues::Between { least, most } => {

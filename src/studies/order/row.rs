@@ -3,7 +3,7 @@
 
 use super::bound::of_figure;
 use super::requested_figures::{RequestedFigure, is_count, no_limit};
-use super::settling::{SettledRow, scatter, settled};
+use super::settling::{SettledRow, scatter, settled_row};
 use super::trial::{Trials, coordinates};
 use crate::dynamics::builder::spec::{Level, Lumping};
 use crate::fault::Fault;
@@ -88,7 +88,7 @@ impl Row {
     ///
     /// # Errors
     /// Faults of the first model; later ones end the row.
-    pub(in crate::studies) fn walk(
+    pub(in crate::studies) fn refine_until_enough(
         trials: &mut Trials<'_>,
         families: &mut Families,
         mut enough: impl FnMut(&mut Trials<'_>, &Row) -> bool,
@@ -120,7 +120,7 @@ impl Row {
     }
 
     /// What a figure does along the row.
-    pub(in crate::studies) fn course(
+    pub(in crate::studies) fn course_of_figure(
         &self,
         trials: &Trials<'_>,
         asked: &RequestedFigure,
@@ -153,10 +153,10 @@ impl Row {
         if let Some(found) = bounded.filter(|found| self.serves(trials, asked, found)) {
             return Course::Bounded(found);
         }
-        let noise = 2.0 * last.integration * last.scale(figure);
+        let noise = 2.0 * last.integration * last.scale_of_figure(figure);
         match self
             .has_same_separations(trials)
-            .then(|| settled(&values, noise))
+            .then(|| settled_row(&values, noise))
         {
             Some(Some(settled)) => Course::Limit(settled),
             _ => bounded.map_or(open, Course::Bounded),

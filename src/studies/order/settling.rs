@@ -31,7 +31,7 @@ pub struct SettledRow {
 
 /// What a row of values settles on; `None`: it has not settled. Changes up to `noise` are
 /// none.
-pub fn settled(values: &[f64], noise: f64) -> Option<SettledRow> {
+pub fn settled_row(values: &[f64], noise: f64) -> Option<SettledRow> {
     let &[.., a, b, c, d] = values else {
         return None;
     };
@@ -91,7 +91,7 @@ pub fn scatter(values: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{scatter, settled};
+    use super::{scatter, settled_row};
 
     /// Values of L + C·n^−p for n = 1, 2, 4, …
     fn row(limit: f64, order: f64, length: u32) -> Vec<f64> {
@@ -102,13 +102,13 @@ mod tests {
     #[test]
     fn a_row_with_an_order_is_extrapolated_by_it() {
         for order in [0.5, 1.0, 2.0] {
-            let found = settled(&row(7.0, order, 4), 0.0).unwrap();
+            let found = settled_row(&row(7.0, order, 4), 0.0).unwrap();
             assert!((found.limit - 7.0).abs() < 1e-12, "{found:?}");
             assert!((found.order.unwrap() - order).abs() < 1e-12, "{found:?}");
             assert!(found.error > 0.0);
         }
         // Quicker than any factor that is believed: no order, but a limit.
-        let found = settled(&row(7.0, 4.0, 4), 0.0).unwrap();
+        let found = settled_row(&row(7.0, 4.0, 4), 0.0).unwrap();
         assert_eq!(found.order, None);
         assert!((found.limit - 7.0).abs() < found.error);
     }
@@ -122,7 +122,7 @@ mod tests {
                 let (one, other) = (row(0.0, first, 7), row(0.0, second, 7));
                 let sum: Vec<f64> = one.iter().zip(&other).map(|(a, b)| a + share * b).collect();
                 for length in 4..=7 {
-                    if let Some(found) = settled(&sum[..length], 0.0) {
+                    if let Some(found) = settled_row(&sum[..length], 0.0) {
                         rows += 1;
                         missed += usize::from(found.limit.abs() > found.error);
                     }
@@ -142,17 +142,17 @@ mod tests {
             &[1.0, 2.0, f64::NAN, 2.0],
             &[1.0, 1.5, 1.75],
         ] {
-            assert_eq!(settled(wild, 0.0), None, "{wild:?}");
+            assert_eq!(settled_row(wild, 0.0), None, "{wild:?}");
         }
         assert_eq!(scatter(&[9.0, 1.0, 2.0, 1.5]), 1.0);
     }
 
     #[test]
     fn changes_below_the_noise_are_none() {
-        let found = settled(&[3.0, 2.0, 2.0 + 1e-9, 2.0 - 1e-9], 1e-8).unwrap();
+        let found = settled_row(&[3.0, 2.0, 2.0 + 1e-9, 2.0 - 1e-9], 1e-8).unwrap();
         assert_eq!((found.limit, found.error), (2.0 - 1e-9, 1e-8));
         // The last change is rounding: what was before it counts.
-        let found = settled(&[3.0, 2.0, 1.9, 1.9 + 1e-9], 1e-8).unwrap();
+        let found = settled_row(&[3.0, 2.0, 1.9, 1.9 + 1e-9], 1e-8).unwrap();
         assert!(found.error >= 1e-8 && found.error < 2e-3, "{found:?}");
     }
 }

@@ -42,7 +42,7 @@ pub(in crate::studies) struct Trial {
 
 impl Trial {
     /// Scale of a figure, no less than what the run resolves.
-    pub(super) fn scale(&self, figure: &str) -> f64 {
+    pub(super) fn scale_of_figure(&self, figure: &str) -> f64 {
         let resolution = self.figures.resolution(figure);
         self.figures.scale(figure).max(resolution)
     }
@@ -52,7 +52,7 @@ impl Trial {
         match (self.measured.get(figure), is_count(figure)) {
             (Some(measured), _) => *measured,
             (None, true) => 0.0,
-            (None, false) => self.integration * self.scale(figure),
+            (None, false) => self.integration * self.scale_of_figure(figure),
         }
     }
 }
@@ -305,7 +305,7 @@ pub(in crate::studies) fn coordinates(levels: &Levels) -> usize {
 }
 
 /// The levels with that of one object changed.
-pub(in crate::studies) fn with(levels: &Levels, id: &str, level: Level) -> Levels {
+pub(in crate::studies) fn with_level(levels: &Levels, id: &str, level: Level) -> Levels {
     let mut changed = levels.clone();
     changed.insert(id.to_owned(), level);
     changed

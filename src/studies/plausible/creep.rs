@@ -52,19 +52,19 @@ pub(in crate::studies) fn creep(
     let found = frictions.into_iter().filter_map(|friction| {
         let motion = Motion::new(&columns, node, &friction)?;
         let is_creep = |stretch: &Range<usize>| {
-            let nodes = std::iter::once(node).chain(friction.against());
+            let nodes = std::iter::once(node).chain(friction.other_node());
             nodes.into_iter().any(|node| columns.is_own(node, stretch))
-                && (friction.against().is_none()
+                && (friction.other_node().is_none()
                     || HELD * mean(&own_speed[stretch.clone()])
                         <= mean(&motion.speed[stretch.clone()]))
         };
-        longest(&friction, &motion, is_creep)
+        longest_creep(&friction, &motion, is_creep)
     });
     found.max_by(|a, b| (a.until - a.from).total_cmp(&(b.until - b.from)))
 }
 
 /// The longest creep under one friction, of the stretches that may be one.
-fn longest(
+fn longest_creep(
     friction: &Friction<'_>,
     motion: &Motion<'_>,
     may_be: impl Fn(&Range<usize>) -> bool,
@@ -82,7 +82,8 @@ fn longest(
         match (within, from) {
             (true, None) => from = Some(k),
             (false, Some(first)) => {
-                let found = stretch(&states, motion, &(first..k)).filter(|_| may_be(&(first..k)));
+                let found = creep_over_stretch(&states, motion, &(first..k))
+                    .filter(|_| may_be(&(first..k)));
                 best = [best, found].into_iter().flatten().max_by(|a, b| {
                     let [a, b] = [a, b].map(|own| own.until - own.from);
                     a.total_cmp(&b)
@@ -96,7 +97,7 @@ fn longest(
 }
 
 /// The creep over a stretch of samples within the width, if it is one.
-fn stretch(
+fn creep_over_stretch(
     states: &[Option<State>],
     motion: &Motion<'_>,
     range: &Range<usize>,

@@ -1,7 +1,7 @@
 //! Creep read off samples whose speeds are closed forms.
 
 use super::law::{Friction, Motion};
-use super::longest;
+use super::longest_creep;
 use crate::dynamics::record::CreepFigures;
 use approx::assert_relative_eq;
 
@@ -17,7 +17,7 @@ fn found(end: f64, speed: impl Fn(f64) -> f64) -> Option<CreepFigures> {
         force: LIMIT,
         width: WIDTH,
     };
-    longest(&friction, &motion, |_| true)
+    longest_creep(&friction, &motion, |_| true)
 }
 
 /// Slides from 3 rad/s at −0.5 rad/s² to 6 s, then is held under 4 N·m.

@@ -1,6 +1,6 @@
 //! Loads without effect, windows and tables that are never entered.
 
-use super::{number_text, place};
+use super::{displacement_text, number_text};
 use crate::dynamics::model::{Coordinate, LinearPiece, Load, Model, ObjectPart, TrackSource};
 use crate::kinematics::breaks::Breaks;
 
@@ -59,7 +59,7 @@ fn widened([from, to]: [f64; 2]) -> [f64; 2] {
     [from - room, to + room]
 }
 
-fn acts(piece: &LinearPiece) -> bool {
+fn has_force(piece: &LinearPiece) -> bool {
     piece.value != 0.0 || piece.slope != 0.0
 }
 
@@ -77,22 +77,22 @@ impl<'a> Axis<'a> {
         Some(Self::Way(&part.id, part.coordinate))
     }
 
-    fn place(&self, value: f64) -> String {
+    fn displacement_text(&self, value: f64) -> String {
         match self {
             Self::Time => format!("{} s", number_text(value)),
-            Self::Way(_, coordinate) => place(value, *coordinate),
+            Self::Way(_, coordinate) => displacement_text(value, *coordinate),
         }
     }
 
     /// `where `crank` goes from 0 deg to 90 deg`.
     fn travel(&self, [from, to]: [f64; 2]) -> String {
         match self {
-            Self::Time => format!("the run ends at {}", self.place(to)),
+            Self::Time => format!("the run ends at {}", self.displacement_text(to)),
             Self::Way(id, _) => {
                 format!(
                     "`{id}` goes from {} to {}",
-                    self.place(from),
-                    self.place(to)
+                    self.displacement_text(from),
+                    self.displacement_text(to)
                 )
             }
         }
@@ -110,7 +110,7 @@ fn inactive_load_warning(
     let piece = |segment: i64| pieces.get(breaks.piece(segment).0);
     if covered
         .clone()
-        .any(|segment| piece(segment).is_some_and(acts))
+        .any(|segment| piece(segment).is_some_and(has_force))
     {
         // Force acts; but of a table that is left at its side it is one number only.
         let outside = breaks.period.is_none()
@@ -127,7 +127,7 @@ fn inactive_load_warning(
     }
     Some(format!(
         "`{name}` never acts: its force is zero but {}, and {}",
-        acting(breaks, pieces, axis),
+        range_of_action(breaks, pieces, axis),
         axis.travel(range)
     ))
 }
@@ -137,32 +137,40 @@ fn segments(breaks: &Breaks, [from, to]: [f64; 2]) -> Option<std::ops::RangeIncl
     if !(from <= to) {
         return None;
     }
-    let first = breaks.locate(from, 1.0);
+    let first = breaks.segment_at(from, 1.0);
     // A period and one more hold every piece.
     let most = first + breaks.points.len() as i64 + 1;
-    let last = breaks.locate(to, -1.0).max(first);
+    let last = breaks.segment_at(to, -1.0).max(first);
     Some(first..=last.min(most))
 }
 
 fn extent(breaks: &Breaks, axis: &Axis<'_>) -> String {
     let (first, last) = (breaks.points[0], breaks.points[breaks.points.len() - 1]);
     match first == last {
-        true => format!("at {}", axis.place(first)),
-        false => format!("between {} and {}", axis.place(first), axis.place(last)),
+        true => format!("at {}", axis.displacement_text(first)),
+        false => format!(
+            "between {} and {}",
+            axis.displacement_text(first),
+            axis.displacement_text(last)
+        ),
     }
 }
 
 /// Where a load acts: from the first piece with a force to the end of the last.
-fn acting(breaks: &Breaks, pieces: &[LinearPiece], axis: &Axis<'_>) -> String {
-    let with_force = || (0..pieces.len()).filter(|&index| acts(&pieces[index]));
+fn range_of_action(breaks: &Breaks, pieces: &[LinearPiece], axis: &Axis<'_>) -> String {
+    let with_force = || (0..pieces.len()).filter(|&index| has_force(&pieces[index]));
     let (Some(first), Some(last)) = (with_force().next(), with_force().next_back()) else {
         return "nowhere".to_owned();
     };
     let (from, to) = (breaks.edges(first as i64).0, breaks.edges(last as i64).1);
     match (from.is_finite(), to.is_finite()) {
-        (true, true) => format!("between {} and {}", axis.place(from), axis.place(to)),
-        (true, false) => format!("beyond {}", axis.place(from)),
-        (false, true) => format!("below {}", axis.place(to)),
+        (true, true) => format!(
+            "between {} and {}",
+            axis.displacement_text(from),
+            axis.displacement_text(to)
+        ),
+        (true, false) => format!("beyond {}", axis.displacement_text(from)),
+        (false, true) => format!("below {}", axis.displacement_text(to)),
         (false, false) => "everywhere".to_owned(),
     }
 }

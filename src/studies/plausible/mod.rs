@@ -74,14 +74,14 @@ fn travelled(model: &Model, record: &Record, node: usize) -> Option<[f64; 2]> {
     let column = record.column(id, Quantity::Displacement)?;
     let mut extremes = node_path::NOWHERE;
     for &value in &column.values {
-        node_path::take(&mut extremes, value);
+        node_path::widen_range(&mut extremes, value);
     }
     (extremes[0] <= extremes[1]).then_some(extremes)
 }
 
 /// A displacement for reading: `12.5 deg`, `0.012 m`.
-fn place(displacement: f64, coordinate: Coordinate) -> String {
-    let (value, unit) = coordinate.shown(displacement);
+fn displacement_text(displacement: f64, coordinate: Coordinate) -> String {
+    let (value, unit) = coordinate.displacement_for_reading(displacement);
     format!("{} {unit}", number_text(value))
 }
 

@@ -82,7 +82,7 @@ pub(super) fn node_paths(
             }),
             NodeMotion::Prescribed { motion, .. } => {
                 let breaks = motion.breaks();
-                let at = |&time: &f64| motion.jet(breaks.locate(time, 1.0), time);
+                let at = |&time: &f64| motion.jet(breaks.segment_at(time, 1.0), time);
                 Some(instants.iter().map(at).collect())
             }
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
@@ -90,7 +90,7 @@ pub(super) fn node_paths(
                 let breaks = law.position.breaks();
                 driver.map(|driver| {
                     let follow = |jet: &Jet| {
-                        let law_jet = law.position.jet(locate(&breaks, jet), jet.value);
+                        let law_jet = law.position.jet(segment_of_jet(&breaks, jet), jet.value);
                         driven_motion(law_jet, jet, law.lever)
                     };
                     driver.iter().map(follow).collect()
@@ -111,8 +111,8 @@ pub(super) fn node_paths(
     motions.into_iter().map(way).collect()
 }
 
-fn locate(breaks: &Breaks, jet: &Jet) -> i64 {
-    breaks.locate(jet.value, jet.first)
+fn segment_of_jet(breaks: &Breaks, jet: &Jet) -> i64 {
+    breaks.segment_at(jet.value, jet.first)
 }
 
 /// The motion λ·U(φ) of what follows φ, without the third derivative.
@@ -176,7 +176,7 @@ fn drive_durations(model: &Model) -> impl Iterator<Item = f64> {
             DriveMotion::Constant { .. } | DriveMotion::RunUp { .. } | DriveMotion::LawRunUp(_)
         );
         let turns = match goes_on && part.coordinate == Coordinate::Turning {
-            true => TURNS * TAU / motion.jet(breaks.locate(end, 1.0), end).first.abs(),
+            true => TURNS * TAU / motion.jet(breaks.segment_at(end, 1.0), end).first.abs(),
             false => 0.0,
         };
         Some(end + turns).filter(|time| time.is_finite())
@@ -198,7 +198,7 @@ impl NodePath {
         };
         let mut count = 0.0;
         for jet in motion.iter().filter(numbers) {
-            take(&mut way.displacement, jet.value);
+            widen_range(&mut way.displacement, jet.value);
             way.fastest = way.fastest.max(jet.first.abs());
             way.mean_square_speed += jet.first * jet.first;
             way.mean_square_acceleration += jet.second * jet.second;
@@ -211,6 +211,6 @@ impl NodePath {
 }
 
 /// Widens a range so that it holds a value; what is no number is not taken.
-pub(super) fn take(range: &mut [f64; 2], value: f64) {
+pub(super) fn widen_range(range: &mut [f64; 2], value: f64) {
     *range = [range[0].min(value), range[1].max(value)];
 }

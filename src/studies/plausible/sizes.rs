@@ -30,7 +30,7 @@ pub(super) fn out_of_proportion(model: &Model, ways: &[Option<NodePath>]) -> Vec
     let odd = sizes.map(|size| outliers(model, ways, &beside, size));
     let mut found = Vec::new();
     for (index, part) in model.objects.iter().enumerate() {
-        found.extend(within(model, part));
+        found.extend(chain_figures(model, part));
         for (size, odd) in sizes.into_iter().zip(&odd) {
             found.extend(odd[index].map(|odd| outlier_warning(model, index, odd, size)));
         }
@@ -108,7 +108,12 @@ impl Size {
 /// amounts to, at most, on any coordinate of the mechanism. (Not the mean: of a law
 /// that rests for most of a turn, and of a motion that is looked at near a rest, it
 /// would tell of the rest.)
-fn reduced(model: &Model, ways: &[Option<NodePath>], part: &ObjectPart, size: Size) -> Option<f64> {
+fn reduced_size(
+    model: &Model,
+    ways: &[Option<NodePath>],
+    part: &ObjectPart,
+    size: Size,
+) -> Option<f64> {
     let way = ways[*part.nodes.last()?].as_ref()?;
     let all = size.of(model, part)? * way.fastest * way.fastest;
     (all.is_finite() && all > 0.0).then_some(all)
@@ -131,7 +136,9 @@ fn outliers(
     size: Size,
 ) -> Vec<Option<Odd>> {
     let parts = model.objects.iter();
-    let reduced: Vec<Option<f64>> = parts.map(|part| reduced(model, ways, part, size)).collect();
+    let reduced: Vec<Option<f64>> = parts
+        .map(|part| reduced_size(model, ways, part, size))
+        .collect();
     let ratios = |index: usize| -> Vec<Odd> {
         let others = beside[index].iter();
         let ratio = |&neighbour: &usize| {
@@ -193,7 +200,7 @@ fn outlier_warning(
 }
 
 /// Links and masses of one chain.
-fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
+fn chain_figures(model: &Model, part: &ObjectPart) -> Vec<String> {
     let stiffness = |&link: &usize| {
         let Link { stiffness, .. } = model.links[link];
         stiffness

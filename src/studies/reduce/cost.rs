@@ -1,7 +1,7 @@
 //! What the scene as given and the reduced one cost, measured: both are run several times.
 
 use super::removal::Removal;
-use super::variant::without;
+use super::variant::scene_without;
 use crate::budget::Instant;
 use crate::frontend::scene::{Document, Levels};
 use crate::studies::order::trial::Trials;
@@ -68,7 +68,10 @@ pub(super) fn measured(
     given: &Levels,
     (removals, reduced): (&[Removal], &Levels),
 ) -> Option<Cost> {
-    let mut scenes = [without(whole, &[]).ok()?, without(whole, removals).ok()?];
+    let mut scenes = [
+        scene_without(whole, &[]).ok()?,
+        scene_without(whole, removals).ok()?,
+    ];
     let mut times = [Vec::new(), Vec::new()];
     let [first, second] = &mut scenes;
     let mut trials = [first, second].map(|scene| Trials::all_open(scene, settings, control));

@@ -3,18 +3,18 @@
 use super::findings::{Reduction, Role, Step};
 use super::removal::Part;
 use crate::frontend::read::{Node, Value};
-use crate::frontend::scene::edit::{property, put, take};
+use crate::frontend::scene::edit::{property, remove_property, set_property};
 use crate::units::shown;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Writes into the scene what was left out of it and why that is allowed. What it expects of
 /// a run was expected of the whole scene and goes.
 pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
-    take(root, "run.accuracy");
+    remove_property(root, "run.accuracy");
     if let Value::Object(members) = &mut root.value {
         members.retain(|member| member.name != "expect");
     }
-    let levels = levels(reduction);
+    let levels = changed_levels(reduction);
     let removed = || reduction.removed().filter(|step| !is_level(step));
     let ids = removed().map(|step| &step.removal.object);
     let ids: BTreeSet<&String> = ids.chain(levels.keys().copied()).collect();
@@ -24,8 +24,8 @@ pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
         let said: Vec<String> = levels.get(id).cloned().into_iter().chain(own).collect();
         let address = format!("{id}.description");
         let before = property(root, &address).and_then(Node::text);
-        let text = joined(before, &format!("Reduced: {}.", said.join("; ")));
-        put(root, &address, text);
+        let text = join_descriptions(before, &format!("Reduced: {}.", said.join("; ")));
+        set_property(root, &address, text);
     }
     let kept: Vec<String> = (reduction.certificate.accuracy.iter())
         .filter_map(|(figure, found)| {
@@ -42,13 +42,13 @@ pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
     if !kept.is_empty() {
         let before = root.get("description").and_then(Node::text);
         let said = format!("Reduced to what gives {}.", kept.join(", "));
-        let text = joined(before, &said);
+        let text = join_descriptions(before, &said);
         put_description(root, text);
     }
 }
 
 /// The levels that the reduced scene has in place of others.
-fn levels(reduction: &Reduction) -> BTreeMap<&String, String> {
+fn changed_levels(reduction: &Reduction) -> BTreeMap<&String, String> {
     let levels = |role| reduction.model(role).map(|model| &model.levels);
     let (Some(given), Some(reduced)) = (levels(Role::Given), levels(Role::Reduced)) else {
         return BTreeMap::new();
@@ -67,7 +67,7 @@ fn is_level(step: &Step) -> bool {
 /// Sets the description of the scene, behind its name where it had none.
 fn put_description(root: &mut Node, text: String) {
     let has = root.get("description").is_some();
-    root.put("description", text);
+    root.set_property("description", text);
     let Value::Object(members) = &mut root.value else {
         return;
     };
@@ -77,7 +77,7 @@ fn put_description(root: &mut Node, text: String) {
     }
 }
 
-fn joined(before: Option<&str>, said: &str) -> String {
+fn join_descriptions(before: Option<&str>, said: &str) -> String {
     match before {
         Some(before) => format!("{before} {said}"),
         None => said.to_owned(),

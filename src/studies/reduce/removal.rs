@@ -2,7 +2,7 @@
 
 use crate::dynamics::builder::spec::{Level, Lumping};
 use crate::frontend::read::{Node, Value};
-use crate::frontend::scene::edit::{property, put, take};
+use crate::frontend::scene::edit::{property, remove_property, set_property};
 
 /// Something that is left out of a scene, or modelled more simply.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +50,7 @@ const INERTIA: [&str; 5] = ["mass", "centre", "moment", "moment_of_inertia", "ge
 
 /// Everything that may be left out of the scene's objects, but for their levels.
 /// `never_opens`: whether the pair of an object stays closed throughout the run.
-pub(super) fn candidates(root: &Node, never_opens: impl Fn(&str) -> bool) -> Vec<Removal> {
+pub(super) fn possible_removals(root: &Node, never_opens: impl Fn(&str) -> bool) -> Vec<Removal> {
     let objects = root.get("objects").map_or(&[][..], Node::members);
     let mut all = Vec::new();
     for object in objects {
@@ -58,13 +58,13 @@ pub(super) fn candidates(root: &Node, never_opens: impl Fn(&str) -> bool) -> Vec
             object: object.name.clone(),
             part,
         };
-        let parts = parts(&object.value, never_opens(&object.name));
+        let parts = removable_parts(&object.value, never_opens(&object.name));
         all.extend(parts.into_iter().map(of));
     }
     all
 }
 
-fn parts(object: &Node, never_opens: bool) -> Vec<Part> {
+fn removable_parts(object: &Node, never_opens: bool) -> Vec<Part> {
     let names = |property: &str| {
         let members = object.get(property).map_or(&[][..], Node::members);
         members.iter().map(|member| member.name.clone())
@@ -131,30 +131,30 @@ impl Removal {
         match &self.part {
             Part::Level { to, .. } => set_level(root, id, *to),
             Part::Opening => {
-                take(root, &format!("{id}.backlash"));
+                remove_property(root, &format!("{id}.backlash"));
                 for name in ["gap", "opens", "law"] {
-                    take(root, &format!("{id}.pair.{name}"));
+                    remove_property(root, &format!("{id}.pair.{name}"));
                 }
-                put(root, &format!("{id}.pair.closure"), "bilateral");
+                set_property(root, &format!("{id}.pair.closure"), "bilateral");
             }
             Part::Contact => {
-                take(root, &format!("{id}.pair.contact"));
+                remove_property(root, &format!("{id}.pair.contact"));
             }
             Part::Load(name) => {
-                let _ = take(root, &format!("{id}.loads.{name}"))
-                    || take(root, &format!("{id}.forces.{name}"));
+                let _ = remove_property(root, &format!("{id}.loads.{name}"))
+                    || remove_property(root, &format!("{id}.forces.{name}"));
             }
             Part::Stop(name) => {
-                take(root, &format!("{id}.stops.{name}"));
+                remove_property(root, &format!("{id}.stops.{name}"));
             }
             Part::JointFriction => {
-                take(root, &format!("{id}.joint_friction"));
+                remove_property(root, &format!("{id}.joint_friction"));
             }
             Part::Friction(pair) => {
-                take(root, &format!("{id}.pairs.{pair}.friction"));
+                remove_property(root, &format!("{id}.pairs.{pair}.friction"));
             }
             Part::Gravity => {
-                take(root, &format!("{id}.gravity"));
+                remove_property(root, &format!("{id}.gravity"));
             }
             Part::Masses => {
                 let links = property(root, &format!("{id}.links"));
@@ -171,7 +171,7 @@ impl Removal {
 
 fn take_mass(root: &mut Node, id: &str, link: &str) {
     for name in INERTIA {
-        take(root, &format!("{id}.links.{link}.{name}"));
+        remove_property(root, &format!("{id}.links.{link}.{name}"));
     }
 }
 
@@ -179,22 +179,22 @@ fn take_mass(root: &mut Node, id: &str, link: &str) {
 /// of the whole body.
 pub(super) fn set_level(root: &mut Node, id: &str, level: Level) {
     for name in LEVEL {
-        take(root, &format!("{id}.{name}"));
+        remove_property(root, &format!("{id}.{name}"));
     }
     match level {
-        Level::Rigid => put(root, &format!("{id}.masses"), 0),
-        Level::Static => put(root, &format!("{id}.flexibility"), "static"),
-        Level::Modes { count } => put(root, &format!("{id}.modes"), count),
+        Level::Rigid => set_property(root, &format!("{id}.masses"), 0),
+        Level::Static => set_property(root, &format!("{id}.flexibility"), "static"),
+        Level::Modes { count } => set_property(root, &format!("{id}.modes"), count),
         Level::Masses { count, lumping } => {
-            put(root, &format!("{id}.masses"), count);
+            set_property(root, &format!("{id}.masses"), count);
             if lumping == Lumping::Balanced {
-                put(root, &format!("{id}.lumping"), "balanced");
+                set_property(root, &format!("{id}.lumping"), "balanced");
             }
         }
     }
     let start = format!("run.start.{id}");
     if level.coordinates() == 0 {
-        take(root, &start);
+        remove_property(root, &start);
     }
     for name in ["displacement", "speed"] {
         let address = format!("{start}.{name}");
@@ -207,14 +207,14 @@ pub(super) fn set_level(root: &mut Node, id: &str, level: Level) {
                 Level::Masses { count, .. } => count,
                 _ => 1,
             };
-            put(root, &address, vec![whole; count]);
+            set_property(root, &address, vec![whole; count]);
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Part, Removal, candidates, set_level};
+    use super::{Part, Removal, possible_removals, set_level};
     use crate::dynamics::builder::spec::Level;
     use crate::frontend::scene::Document;
 
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn what_a_scene_has_may_be_left_out() {
-        let found = candidates(scene().root(), |id| id == "lever");
+        let found = possible_removals(scene().root(), |id| id == "lever");
         let parts: Vec<&Part> = found.iter().map(|one| &one.part).collect();
         let name = |name: &str| name.to_owned();
         assert_eq!(
@@ -253,7 +253,7 @@ mod tests {
         for one in &found {
             one.apply(&mut root);
         }
-        assert_eq!(candidates(&root, |_| false), []);
+        assert_eq!(possible_removals(&root, |_| false), []);
         let one = |part| Removal {
             object: name("press"),
             part,

@@ -3,8 +3,8 @@
 use super::cost::measured;
 use super::description::describe;
 use super::findings::{Change, ModelTried, Reduction, Refusal, Role, Step};
-use super::removal::{Part, Removal, candidates};
-use super::variant::{at_levels, without, words};
+use super::removal::{Part, Removal, possible_removals};
+use super::variant::{at_levels, scene_without, words};
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{Document, Levels, Reading};
@@ -60,12 +60,12 @@ pub fn reduce(
         .collect();
     let as_given = trials.at(&given).ok();
     let as_given = as_given.map(|as_given| {
-        search.note(&[], &trials.made[as_given], Role::Given);
+        search.keep_for_chart(&[], &trials.made[as_given], Role::Given);
         search.judge.certificate(&trials, &families, as_given)
     });
     let tried = trials.made.iter().filter(|trial| trial.doubt.is_none());
     for trial in tried {
-        search.note(&[], trial, Role::Tried);
+        search.keep_for_chart(&[], trial, Role::Tried);
     }
     let mut end = SearchEnd {
         removals: Vec::new(),
@@ -118,11 +118,11 @@ impl Search<'_> {
     fn remove_all(&mut self, mut end: SearchEnd) -> SearchEnd {
         let base = end.trial.clone();
         let mut alone = Vec::new();
-        for removal in self.candidates(&base) {
+        for removal in self.possible_removals(&base) {
             if self.control.is_spent() {
                 return end;
             }
-            let tried = self.with(std::slice::from_ref(&removal), &end.levels);
+            let tried = self.try_removals(std::slice::from_ref(&removal), &end.levels);
             alone.push((removal, tried));
         }
         // A whole before its parts, then what changes least first.
@@ -147,14 +147,14 @@ impl Search<'_> {
             }
             match tried {
                 Ok((_, None)) => self.on_top(&mut end, removal),
-                tried => self.refuse(removal, &base, tried),
+                tried => self.refuse_removal(removal, &base, tried),
             }
         }
         self.lower_levels_again(end)
     }
 
     /// What may be left out, judged by the run of the whole.
-    fn candidates(&self, base: &Trial) -> Vec<Removal> {
+    fn possible_removals(&self, base: &Trial) -> Vec<Removal> {
         let never_opens = |id: &str| {
             let object = base.figures.objects.get(id);
             let pair = object.and_then(|object| object.pair.as_ref());
@@ -163,14 +163,14 @@ impl Search<'_> {
                 pair.separations == 0 && pair.closures == 0 && closed
             })
         };
-        candidates(self.whole.root(), never_opens)
+        possible_removals(self.whole.root(), never_opens)
     }
 
     /// Leaves something more out of the scene, if it stays accurate enough.
     fn on_top(&mut self, end: &mut SearchEnd, removal: Removal) {
         let mut removals = end.removals.clone();
         removals.push(removal.clone());
-        match self.with(&removals, &end.levels) {
+        match self.try_removals(&removals, &end.levels) {
             Ok((trial, None)) => {
                 self.steps.push(Step {
                     removal,
@@ -179,11 +179,11 @@ impl Search<'_> {
                 });
                 (end.removals, end.trial) = (removals, trial);
             }
-            tried => self.refuse(removal, &end.trial.clone(), tried),
+            tried => self.refuse_removal(removal, &end.trial.clone(), tried),
         }
     }
 
-    fn refuse(&mut self, removal: Removal, before: &Trial, tried: TriedRemoval) {
+    fn refuse_removal(&mut self, removal: Removal, before: &Trial, tried: TriedRemoval) {
         let (changes, refused) = match tried {
             Ok((trial, refused)) => (self.changes(before, &trial), refused),
             Err(why) => (Default::default(), Some(Refusal::Impossible(why))),
@@ -197,7 +197,7 @@ impl Search<'_> {
 
     /// Lowers levels once more: pairs that are bilateral now allow lower ones.
     fn lower_levels_again(&mut self, mut end: SearchEnd) -> SearchEnd {
-        let Ok(mut scene) = without(self.whole, &end.removals) else {
+        let Ok(mut scene) = scene_without(self.whole, &end.removals) else {
             return end;
         };
         let mut trials = Trials::all_open(&mut scene, self.settings, self.control);
@@ -209,7 +209,7 @@ impl Search<'_> {
             false => self.lessen(&mut trials, from),
         };
         for trial in &trials.made {
-            self.note(&end.removals, trial, Role::Tried);
+            self.keep_for_chart(&end.removals, trial, Role::Tried);
         }
         end.certificate = match end.removals.is_empty() {
             true => end.certificate,
@@ -224,13 +224,16 @@ impl Search<'_> {
     }
 
     /// The run of the scene without what is left out.
-    fn with(&mut self, removals: &[Removal], levels: &Levels) -> TriedRemoval {
-        let mut scene = without(self.whole, removals)?;
+    fn try_removals(&mut self, removals: &[Removal], levels: &Levels) -> TriedRemoval {
+        let mut scene = scene_without(self.whole, removals)?;
         let mut trials = Trials::all_open(&mut scene, self.settings, self.control);
         let made = trials.at(levels).map_err(|faults| words(&faults))?;
-        let refused = self.judge.objection(&trials, made).map(Refusal::from);
+        let refused = self
+            .judge
+            .reason_against_trial(&trials, made)
+            .map(Refusal::from);
         let trial = trials.made.swap_remove(made);
-        self.note(removals, &trial, Role::Tried);
+        self.keep_for_chart(removals, &trial, Role::Tried);
         Ok((trial, refused))
     }
 
@@ -239,7 +242,7 @@ impl Search<'_> {
     }
 
     /// Keeps a model that was run for the chart; each once.
-    fn note(&mut self, removals: &[Removal], trial: &Trial, role: Role) {
+    fn keep_for_chart(&mut self, removals: &[Removal], trial: &Trial, role: Role) {
         let without: Vec<String> = removals.iter().map(Removal::to_string).collect();
         let known =
             |model: &&mut ModelTried| model.without == without && model.levels == trial.levels;
@@ -274,7 +277,7 @@ impl Search<'_> {
         (given, as_given): (&Levels, Option<Certificate>),
         interrupted: bool,
     ) -> Reduction {
-        self.note(&end.removals, &end.trial, Role::Reduced);
+        self.keep_for_chart(&end.removals, &end.trial, Role::Reduced);
         let cost = match end.removals.is_empty() && end.levels == *given {
             true => None,
             false => {
@@ -343,7 +346,7 @@ fn note_level(
     steps.retain(|step| !(is_level(step) && step.refused.is_some()));
     let refused = match tried.accepted {
         true => None,
-        false => (judge.objection(trials, tried.trials[1])).map(Refusal::from),
+        false => (judge.reason_against_trial(trials, tried.trials[1])).map(Refusal::from),
     };
     steps.push(Step {
         removal: Removal {

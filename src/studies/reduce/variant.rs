@@ -3,14 +3,14 @@
 use super::removal::{Removal, set_level};
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Severity;
-use crate::frontend::scene::edit::take;
+use crate::frontend::scene::edit::remove_property;
 use crate::frontend::scene::{BuiltIn, Document, Levels, Overrides, TypedScene};
 
 /// The scene with what is left out of it.
 ///
 /// # Errors
 /// There is no such scene: the first thing that is wrong with it.
-pub(super) fn without(whole: &Document, removals: &[Removal]) -> Result<TypedScene, String> {
+pub(super) fn scene_without(whole: &Document, removals: &[Removal]) -> Result<TypedScene, String> {
     let mut document = whole.clone();
     document.edit(|root| removals.iter().for_each(|one| one.apply(root)));
     without_unused_dimensions(document).1
@@ -39,7 +39,7 @@ fn without_unused_dimensions(mut document: Document) -> (Document, Result<TypedS
         let mut taken = false;
         document.edit(|root| {
             for one in errors().filter(|item| item.code == "unknown-dimension") {
-                taken |= one.path.contains(".dimensions.") && take(root, &one.path);
+                taken |= one.path.contains(".dimensions.") && remove_property(root, &one.path);
             }
         });
         if !taken {

@@ -97,7 +97,7 @@ pub fn rigid_judgement(
     checks: &[Judged],
 ) -> Judgement {
     let repels = regime.is_some_and(|regime| !regime.attracts);
-    Judgement::decide(RunEnd::Complete, checks, || {
+    Judgement::judge_result(RunEnd::Complete, checks, || {
         match figures.warnings.is_empty() && !repels {
             true => Judgement::InWorkingOrder,
             false => Judgement::NotInWorkingOrder,
@@ -122,7 +122,7 @@ impl RigidAnswer {
     }
 
     /// Adds a warning for each check beyond its bound.
-    pub fn judged(mut self) -> Self {
+    pub fn with_check_warnings(mut self) -> Self {
         let checks = self.checks();
         let failures = checks.iter().filter_map(Judged::failure);
         self.figures.warnings.extend(failures);

@@ -142,7 +142,11 @@ mod tests {
         );
         let [one, other] = [works, moments].map(|text| {
             let table = table(&text, TAU).unwrap();
-            table.steady(&Question::new(10.0)).unwrap().figures.steady
+            table
+                .find_steady_motion(&Question::new(10.0))
+                .unwrap()
+                .figures
+                .steady
         });
         approx::assert_relative_eq!(
             one.energy_at_start,

@@ -48,7 +48,7 @@ fn courses(model: &Model, drive: Option<NodeIndex>, speed: f64) -> Vec<Option<Pr
             } if drive.is_none() => Some(turning(own / speed)),
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                 let driver = found[law.driver].as_ref();
-                driver.map(|driver| driver.through(&law.position, law.lever))
+                driver.map(|driver| driver.through_position(&law.position, law.lever))
             }
             NodeMotion::Constrained {
                 drivers,
@@ -76,7 +76,7 @@ fn rhythmic(rhythm: Rhythm) -> PrescribedMotion {
                 phase: 0.0,
                 offset: 0.0,
             };
-            let wave = turning(1.0).through(&wave, 1.0);
+            let wave = turning(1.0).through_position(&wave, 1.0);
             match advance {
                 0.0 => wave,
                 _ => {
@@ -141,7 +141,7 @@ fn rhythm_over(course: &PrescribedMotion, period: f64) -> Rhythm {
         phase: 0.0,
         offset: 0.0,
     };
-    course.through(&wave, 1.0).rhythm()
+    course.through_position(&wave, 1.0).rhythm()
 }
 
 /// Places at which a force is tried.
@@ -151,7 +151,7 @@ const PLACES: usize = 40;
 const MOST_REPEATED: u32 = 12;
 
 /// Shares without a common period.
-fn share(place: usize, root: f64) -> f64 {
+fn irrational_share(place: usize, root: f64) -> f64 {
     (0.37 + place as f64 * root.sqrt()).fract()
 }
 
@@ -170,12 +170,12 @@ fn turns_to_repeat(size: f64, at: impl Fn(usize, f64) -> f64) -> Option<f64> {
 /// Least number of turns of a node after which an expression repeats.
 fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
     turns_to_repeat(written.factor.abs(), |place, shift| {
-        written.force(10.0 * share(place, 2.0), |other| {
+        written.force(10.0 * irrational_share(place, 2.0), |other| {
             let own = if other == node { shift } else { 0.0 };
             let root = 3.0 + other as f64;
             (
-                TAU * (6.0 * share(place, root) - 3.0) + own,
-                4.0 * share(place, root + 0.5) - 2.0,
+                TAU * (6.0 * irrational_share(place, root) - 3.0) + own,
+                4.0 * irrational_share(place, root + 0.5) - 2.0,
             )
         })
     })
@@ -184,8 +184,8 @@ fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
 /// The same of any other function.
 fn turns_of_function(function: &dyn LoadFunction) -> Option<f64> {
     turns_to_repeat(function.magnitude(), |place, shift| {
-        let displacement = TAU * (6.0 * share(place, 3.0) - 3.0) + shift;
-        let speed = 4.0 * share(place, 3.5) - 2.0;
+        let displacement = TAU * (6.0 * irrational_share(place, 3.0) - 3.0) + shift;
+        let speed = 4.0 * irrational_share(place, 3.5) - 2.0;
         function.force(displacement, speed).value
     })
 }
@@ -279,7 +279,7 @@ const OVER_TIME: (&str, &str) = (
 
 impl Rhythms {
     /// Rhythms of everything behind a drive that turns as it likes, `moved` by node.
-    pub(super) fn behind(model: &Model, drive: NodeIndex, moved: &[bool]) -> Self {
+    pub(super) fn rhythms_behind_drive(model: &Model, drive: NodeIndex, moved: &[bool]) -> Self {
         Self::of(model, &courses(model, Some(drive), 1.0), moved, None)
     }
 
@@ -433,7 +433,7 @@ impl Rhythms {
             LoadVariable::Displacement(node) => repetition(of(node)),
             LoadVariable::Speed(node) => repetition_of_speed(of(node)),
         };
-        match Repetition::through(written.expression.program(), &variable) {
+        match Repetition::repetition_of_program(written.expression.program(), &variable) {
             Some(Repetition::Line(0.0)) => {}
             Some(Repetition::Cycles {
                 period,

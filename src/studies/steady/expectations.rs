@@ -2,7 +2,7 @@
 
 use super::{Answer, PeriodicAnswer, RigidAnswer};
 use crate::frontend::scene::{Expectation, Expected};
-use crate::studies::expectations::{Verdict, judged};
+use crate::studies::expectations::{Verdict, verdict_on};
 
 /// A figure of a steady motion by its address (`steady.period`); `None` where
 /// this motion has none of that name.
@@ -67,7 +67,7 @@ pub fn check(expectations: &[Expectation], answer: &Answer) -> Vec<Verdict> {
             let found = figure(answer, address);
             Some(Verdict {
                 source: expectation.source.clone(),
-                ..judged(address, allowed, found)
+                ..verdict_on(address, allowed, found)
             })
         }
         _ => None,

@@ -5,9 +5,9 @@ use super::map::Map;
 use super::mean_speed::{
     AddedDrive, MeanSpeedTarget, PeriodicState, steady_at_mean_speed, with_added,
 };
-use super::periodic::none;
+use super::periodic::no_periodic_motion;
 use super::phase::PhaseMap;
-use super::shooting::{near, shoot};
+use super::shooting::{fixed_point_near, shoot};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::Model;
@@ -60,14 +60,18 @@ impl WheelRequest<'_> {
                     .map_err(|refusal| refusal.faults("steady"))?
             }
         };
-        let held = self.steady(inertia, &last).map_err(|why| none(&why))?;
+        let held = self
+            .state_with_inertia(inertia, &last)
+            .map_err(|why| no_periodic_motion(&why))?;
         let flywheel = match self.spec.fluctuation {
             None => None,
             Some(fluctuation) => Some(Flywheel {
                 fluctuation,
                 fluctuation_without: without,
                 inertia,
-                fluctuation_with: self.delta(inertia, &held).map_err(|why| none(&why))?,
+                fluctuation_with: self
+                    .delta(inertia, &held)
+                    .map_err(|why| no_periodic_motion(&why))?,
                 // Textbooks speak of rigid machines.
                 approximations: Vec::new(),
             }),
@@ -88,7 +92,7 @@ impl WheelRequest<'_> {
         inertia: f64,
         last: &RefCell<Option<PeriodicState>>,
     ) -> Result<Option<f64>, Refusal> {
-        let found = self.steady(inertia, last);
+        let found = self.state_with_inertia(inertia, last);
         let delta = found.and_then(|held| self.delta(inertia, &held));
         match self.budget.spent() {
             Some(spent) => Err(Refusal::NoCycle {
@@ -99,7 +103,7 @@ impl WheelRequest<'_> {
     }
 
     /// The state that comes back with inertia added, from the one that was found last.
-    fn steady(
+    fn state_with_inertia(
         &self,
         inertia: f64,
         last: &RefCell<Option<PeriodicState>>,
@@ -124,7 +128,7 @@ impl WheelRequest<'_> {
                 steady_at_mean_speed(wanted, start, moment, self.cycle)?
             }
             _ => PeriodicState {
-                state: self.free(inertia, before.as_ref())?,
+                state: self.free_motion(inertia, before.as_ref())?,
                 moment: 0.0,
             },
         };
@@ -133,9 +137,14 @@ impl WheelRequest<'_> {
     }
 
     /// The same without a moment: the speed is as motor and load decide.
-    fn free(&self, inertia: f64, before: Option<&PeriodicState>) -> Result<Vec<f64>, String> {
-        self.with(0.0, inertia, |map| {
-            let found = before.and_then(|before| near(map, &before.state, self.cycle).ok()?);
+    fn free_motion(
+        &self,
+        inertia: f64,
+        before: Option<&PeriodicState>,
+    ) -> Result<Vec<f64>, String> {
+        self.with_phase_map(0.0, inertia, |map| {
+            let found =
+                before.and_then(|before| fixed_point_near(map, &before.state, self.cycle).ok()?);
             match found {
                 Some(state) => Ok(state),
                 None => Ok(shoot(map, self.start, self.cycle, 1)?.state),
@@ -144,14 +153,14 @@ impl WheelRequest<'_> {
     }
 
     fn delta(&self, inertia: f64, held: &PeriodicState) -> Result<f64, String> {
-        self.with(held.moment, inertia, |map| {
+        self.with_phase_map(held.moment, inertia, |map| {
             let portrait = map.portrait(&held.state, self.cycle, 1)?;
             let mean = self.cycle / map.duration(&held.state, self.cycle)?;
             Ok((portrait.greatest.value - portrait.least.value) / mean)
         })
     }
 
-    fn with<T>(
+    fn with_phase_map<T>(
         &self,
         moment: f64,
         inertia: f64,

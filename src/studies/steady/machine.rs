@@ -258,7 +258,7 @@ impl Machine {
         (state[coordinate], state[count + coordinate]) = (position, speed);
         let found = self
             .system
-            .reduced(self.drive, state, &self.modes[piece], scratch);
+            .reduced_to_rotor(self.drive, state, &self.modes[piece], scratch);
         cycle_map::Load {
             // What a rotor without inertia is given is none.
             inertia: if found.inertia > NONE {

@@ -180,7 +180,7 @@ pub(super) fn rough_differences(
 ///
 /// # Errors
 /// Why it does not get to the end.
-pub(super) fn follow(
+pub(super) fn integrate_from(
     system: &System,
     method: Method,
     budget: Budget<'_>,
@@ -225,9 +225,9 @@ impl<'a> SystemMap<'a> {
         }
     }
 
-    fn follow(&self, state: &[f64], time: f64, sink: &mut dyn Sink) -> Result<(), String> {
+    fn integrate_from(&self, state: &[f64], time: f64, sink: &mut dyn Sink) -> Result<(), String> {
         let modes = self.system.modes_at_start(state);
-        follow(
+        integrate_from(
             self.system,
             self.method,
             self.budget,
@@ -242,13 +242,13 @@ impl<'a> SystemMap<'a> {
 impl Map for SystemMap<'_> {
     fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
         let mut last = Last::default();
-        self.follow(state, time, &mut last)?;
+        self.integrate_from(state, time, &mut last)?;
         Ok(last.y)
     }
 
     fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Orbit, String> {
         let mut grid = Grid::new(time / count as f64, state.len() / 2);
-        self.follow(state, time, &mut grid)?;
+        self.integrate_from(state, time, &mut grid)?;
         Ok(Orbit::with_equal_steps(time, count, grid.columns))
     }
 

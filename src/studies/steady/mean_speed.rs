@@ -9,7 +9,7 @@ use super::map::{
     rough_differences,
 };
 use super::phase::PhaseMap;
-use super::shooting::near;
+use super::shooting::fixed_point_near;
 use crate::budget::Budget;
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{Load, LoadLaw, Model};
@@ -117,7 +117,7 @@ impl HeldMap<'_> {
         Ok(made)
     }
 
-    fn with<T>(
+    fn with_phase_map<T>(
         &self,
         moment: f64,
         f: impl FnOnce(&PhaseMap<'_>) -> Result<T, String>,
@@ -134,13 +134,13 @@ impl HeldMap<'_> {
 
     /// The state after a cycle and the mean speed on the way.
     fn measure(&self, state: &[f64], moment: f64, cycle: f64) -> Result<(Vec<f64>, f64), String> {
-        self.with(moment, |map| map.pass(state, cycle, self.wanted.mean))
+        self.with_phase_map(moment, |map| map.pass(state, cycle, self.wanted.mean))
     }
 }
 
 impl Map for HeldMap<'_> {
     fn apply(&self, state: &[f64], cycle: f64) -> Result<Vec<f64>, String> {
-        let (moment, state) = split(state);
+        let (moment, state) = split_state(state);
         let (mut end, mean) = self.measure(state, moment, cycle)?;
         end.push(moment + self.gain * (self.wanted.speed - mean));
         Ok(end)
@@ -155,8 +155,8 @@ impl Map for HeldMap<'_> {
     }
 
     fn orbit(&self, state: &[f64], cycle: f64, count: usize) -> Result<Orbit, String> {
-        let (moment, state) = split(state);
-        self.with(moment, |map| map.orbit(state, cycle, count))
+        let (moment, state) = split_state(state);
+        self.with_phase_map(moment, |map| map.orbit(state, cycle, count))
     }
 
     fn scales(&self) -> &[f64] {
@@ -176,7 +176,7 @@ impl Map for HeldMap<'_> {
     }
 }
 
-fn split(state: &[f64]) -> (f64, &[f64]) {
+fn split_state(state: &[f64]) -> (f64, &[f64]) {
     let (moment, state) = state.split_last().unwrap_or((&0.0, &[]));
     (*moment, state)
 }
@@ -198,7 +198,8 @@ pub(super) fn steady_at_mean_speed(
         gain: 0.0,
         last: RefCell::new(None),
     };
-    let (speed, mut scales) = map.with(moment, |map| Ok((map.speed(), map.scales().to_vec())))?;
+    let (speed, mut scales) =
+        map.with_phase_map(moment, |map| Ok((map.speed(), map.scales().to_vec())))?;
     let mut state = start.to_vec();
     state[speed] = wanted.speed;
     let inertia = wanted.model.nodes[wanted.model.objects[wanted.drive].nodes[0]].inertia;
@@ -217,14 +218,14 @@ pub(super) fn steady_at_mean_speed(
     scales.push(size);
     (map.scales, map.gain) = (scales, 1.0 / per_moment);
     state.push(moment);
-    let found = near(&map, &state, cycle)?.ok_or_else(|| {
+    let found = fixed_point_near(&map, &state, cycle)?.ok_or_else(|| {
         format!(
             "no moment was found that holds a mean speed of {} rad/s (nearest: {} N·m)",
             wanted.speed,
             shown(moment, 7)
         )
     })?;
-    let (moment, state) = split(&found);
+    let (moment, state) = split_state(&found);
     Ok(PeriodicState {
         state: state.to_vec(),
         moment,
@@ -239,7 +240,7 @@ fn initial_moment(
     [mut moment, unit]: [f64; 2],
     cycle: f64,
 ) -> Result<(f64, f64), String> {
-    let speed = map.with(moment, |map| Ok(map.speed()))?;
+    let speed = map.with_phase_map(moment, |map| Ok(map.speed()))?;
     let gained = |moment: f64| {
         let (end, _) = map.measure(state, moment, cycle)?;
         Ok::<f64, String>(end[speed] - state[speed])

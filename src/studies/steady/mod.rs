@@ -159,6 +159,33 @@ pub fn suits(model: &Model, spec: &SteadySpec) -> Result<(), Vec<Fault>> {
     }
 }
 
+/// The time (s) after which a model behind prescribed drives repeats.
+///
+/// # Errors
+/// Why it does not.
+pub(super) fn whole_cycle(model: &Model) -> Result<f64, Vec<Fault>> {
+    periodic::whole_cycle(model, SteadySpec::default().cycle).map(|(_, time)| time)
+}
+
+/// A state y = [u, u̇] of an elastic system at t = 0 that comes back after the cycle of its
+/// prescribed drives, and the time of that cycle (s).
+///
+/// # Errors
+/// Why there is none that is found.
+pub(super) fn recurring_state(
+    system: &System,
+    settings: &RunSettings,
+    control: &Control<'_>,
+) -> Result<(Vec<f64>, f64), Vec<Fault>> {
+    let (model, spec) = (system.model(), SteadySpec::default());
+    suits(model, &spec)?;
+    if !moves_with_drives(model, &spec) {
+        let message = "not all of its drives are prescribed";
+        return Err(vec![Fault::new("steady", message, "")]);
+    }
+    periodic::recurring_state(system, settings, control)
+}
+
 /// Where every drive is prescribed, all that is elastic moves with them.
 fn moves_with_drives(model: &Model, spec: &SteadySpec) -> bool {
     let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });

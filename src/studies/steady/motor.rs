@@ -12,7 +12,7 @@ use super::flywheel::{WheelRequest, WheelResult};
 use super::machine::{multi_input_objects, nodes_moved_by, over_time};
 use super::map::Map;
 use super::mean_speed::{AddedDrive, with_added};
-use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
+use super::periodic::{About, ORBIT, PeriodicAnswer, no_periodic_motion, part_near, state_names};
 use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
 use crate::dynamics::integrate::Dynamics;
@@ -83,7 +83,7 @@ fn obstacles(model: &Model, drive: usize, moved: &[bool]) -> Vec<Fault> {
 
 /// The angle after which the machine repeats (rad).
 fn cycle(model: &Model, drive: usize, moved: &[bool], least: f64) -> Result<f64, Vec<Fault>> {
-    let rhythms = Rhythms::behind(model, model.objects[drive].nodes[0], moved);
+    let rhythms = Rhythms::rhythms_behind_drive(model, model.objects[drive].nodes[0], moved);
     if !rhythms.growing.is_empty() {
         return Err(rhythms.growing);
     }
@@ -124,7 +124,7 @@ fn check_cycle(
         }
     }
     // What moves evenly has accelerations of nothing but rounding.
-    let turn = map.nominal();
+    let turn = map.nominal_speed();
     let usual = |index: usize| SHARE_OF_SCALE * system.scales()[count + index] * turn;
     let astray =
         (0..count).find(|&index| !(worst[index] <= AFTER_A_CYCLE * (sizes[index] + usual(index))));
@@ -232,7 +232,7 @@ pub(super) fn answer(
     }
     let cycle = cycle(model, drive, &moved, spec.cycle)?;
     let initial = system.initial_state()?;
-    let none = |why: String| none(&why);
+    let none = |why: String| no_periodic_motion(&why);
     let method = choose_general(system, settings, "").method;
     let map = PhaseMap::new(system, rotor, method, *control);
     let start = map.to_section(&initial.y, cycle).map_err(|why| {

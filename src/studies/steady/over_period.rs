@@ -4,8 +4,8 @@
 //! recorded as a run is. Where shooting followed the motion in closed form, the return of the
 //! state is a check of it by another method.
 
-use super::map::follow;
-use super::shooting::distance;
+use super::map::integrate_from;
+use super::shooting::relative_distance;
 use super::sink::Last;
 use crate::budget::Budget;
 use crate::dynamics::energy::EnergyAudit;
@@ -130,7 +130,7 @@ impl OverPeriod {
         let modes = system.modes_at_start(state);
         let mut sinks: [&mut dyn Sink; 3] = [&mut recorder, &mut works, &mut last];
         let sink = &mut Tee(&mut sinks);
-        follow(system, method, budget, state, &modes, period, sink)?;
+        integrate_from(system, method, budget, state, &modes, period, sink)?;
         let recorded = recorder.finish();
         if let Some(failure) = &recorded.failure {
             return Err(format!(
@@ -138,7 +138,7 @@ impl OverPeriod {
                 failure.what, failure.time
             ));
         }
-        let away = distance(
+        let away = relative_distance(
             &without_drive_turns(system, &last.y, state),
             state,
             system.scales(),
@@ -214,7 +214,7 @@ fn checks(audit: &EnergyAudit, works: &[Worked], [away, bound]: [f64; 2]) -> Vec
         .filter(|one| one.is_prescribed)
         .map(|one| one.of.work)
         .sum();
-    let scale = audit.scale();
+    let scale = audit.balance_scale();
     let apart = match (prescribed - audit.drives).abs() {
         0.0 => 0.0,
         apart => apart / scale,

@@ -5,9 +5,9 @@ use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
 use super::multipliers::{self, Multiplier, Stability};
 use super::over_period::{OverPeriod, RETURN};
-use super::shooting::{CLOSED, FixedPoint, distance, shoot_near};
+use super::shooting::{self, CLOSED, FixedPoint, relative_distance, shoot_near};
 use crate::dynamics::integrate::{Dynamics, Method};
-use crate::dynamics::model::Coordinate;
+use crate::dynamics::model::{Coordinate, Model};
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::system::System;
 use crate::exact::Parts;
@@ -75,7 +75,7 @@ impl PeriodicAnswer {
     /// motion on which the scene does not settle is not certified.
     pub fn judgement(&self) -> Judgement {
         let any = |stability| self.parts.iter().any(|part| part.stability == stability);
-        Judgement::decide(RunEnd::Complete, &self.checks(), || {
+        Judgement::judge_result(RunEnd::Complete, &self.checks(), || {
             let pairs = self.over_period.as_ref().map(|found| found.pairs);
             match pairs.unwrap_or(Judgement::NotJudged) {
                 _ if any(Stability::Repels) => Judgement::NotInWorkingOrder,
@@ -191,7 +191,7 @@ fn long_run(
         let mut state = fixed.state.clone();
         let mut nearest = f64::INFINITY;
         for _ in 0..periods {
-            nearest = nearest.min(distance(&end, &state, map.scales()));
+            nearest = nearest.min(relative_distance(&end, &state, map.scales()));
             state = map.apply(&state, turn)?;
         }
         Ok(nearest)
@@ -270,7 +270,7 @@ impl About {
 }
 
 /// No periodic motion was found.
-pub(super) fn none(why: &str) -> Vec<Fault> {
+pub(super) fn no_periodic_motion(why: &str) -> Vec<Fault> {
     let message = format!("no periodic motion was found: {why}");
     let hint = "allow more turns of the drive in a period with `periods`; a drive that stalls \
                 needs a stronger motor, more inertia, a start at more speed, or less load";
@@ -278,7 +278,7 @@ pub(super) fn none(why: &str) -> Vec<Fault> {
 }
 
 /// The periodic motion of a part, of as few cycles as possible.
-pub(super) fn part(
+pub(super) fn periodic_motion_of_part(
     map: &dyn Map,
     start: &[f64],
     turn: f64,
@@ -355,6 +355,52 @@ fn refuse_unused(spec: &SteadySpec) -> Result<(), Vec<Fault>> {
     }
 }
 
+/// The angle of the drive after which everything repeats, a multiple of `least` (rad), and the
+/// time for it (s).
+pub(super) fn whole_cycle(model: &Model, least: f64) -> Result<(f64, f64), Vec<Fault>> {
+    let once = drive_cycle(model).map_err(|why| {
+        let message = format!("the motion of the drives does not repeat: {why}");
+        let hint = "a drive with a constant `speed`";
+        vec![Fault::new("steady", message, hint)]
+    })?;
+    let cycle = Rhythms::of_all(model, TAU / once).whole_cycle(least)?;
+    Ok((cycle, once * cycle / TAU))
+}
+
+/// A state y = [u, u̇] at t = 0 that comes back after the cycle of prescribed drives, and the time
+/// of that cycle (s): where the motion is linear the only one, whatever the scene's start.
+///
+/// # Errors
+/// The drives do not repeat, there is no start, or no such state was found.
+pub(super) fn recurring_state(
+    system: &System,
+    settings: &RunSettings,
+    control: &Control<'_>,
+) -> Result<(Vec<f64>, f64), Vec<Fault>> {
+    let (_, turn) = whole_cycle(system.model(), TAU)?;
+    let mut state = system.initial_state()?.y;
+    let parts = Parts::of(system);
+    let of_map = |map: &dyn Map, start: &[f64]| {
+        let found =
+            shooting::fixed_point_near(map, start, turn).map_err(|why| no_periodic_motion(&why))?;
+        found.ok_or_else(|| no_periodic_motion("Newton's method comes to none"))
+    };
+    if parts.is_whole() {
+        for tree in &parts.trees {
+            let (q, v) = tree.own_state(&state);
+            let (masses, start) = (q.len(), [q, v].concat());
+            let map = TreeMap::new(tree, &start, turn, *control)
+                .map_err(|why| no_periodic_motion(&why))?;
+            let found = of_map(&map, &start)?;
+            tree.put_state(&found[..masses], &found[masses..], &mut state);
+        }
+    } else if !state.is_empty() {
+        let method = choose_general(system, settings, "").method;
+        state = of_map(&SystemMap::new(system, method, *control), &state)?;
+    }
+    Ok((state, turn))
+}
+
 /// The periodic motion of an elastic scene behind prescribed drives.
 ///
 /// # Errors
@@ -365,19 +411,9 @@ pub(super) fn answer(
     spec: &SteadySpec,
     control: &Control<'_>,
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
-    let none = |why: String| none(&why);
-    let once = drive_cycle(system.model()).map_err(|why| {
-        let message = format!("the motion of the drives does not repeat: {why}");
-        vec![Fault::new(
-            "steady",
-            message,
-            "a drive with a constant `speed`",
-        )]
-    })?;
+    let none = |why: String| no_periodic_motion(&why);
     refuse_unused(spec)?;
-    let rhythms = Rhythms::of_all(system.model(), TAU / once);
-    let cycle = rhythms.whole_cycle(spec.cycle)?;
-    let turn = once * cycle / TAU;
+    let (cycle, turn) = whole_cycle(system.model(), spec.cycle)?;
     let initial = system.initial_state()?;
     let parts = Parts::of(system);
     let mut state = initial.y.clone();
@@ -389,7 +425,8 @@ pub(super) fn answer(
             let map = TreeMap::new(tree, &start, turn, *control).map_err(none)?;
             let coordinates: Vec<usize> = tree.coordinates().collect();
             let about = About::new(system, &tree.objects, &coordinates);
-            let (motion, found) = part(&map, &start, turn, spec.periods, &about).map_err(none)?;
+            let (motion, found) =
+                periodic_motion_of_part(&map, &start, turn, spec.periods, &about).map_err(none)?;
             motions.push(motion);
             tree.put_state(&found[..masses], &found[masses..], &mut state);
         }
@@ -397,7 +434,8 @@ pub(super) fn answer(
         let choice = choose_general(system, settings, "");
         let map = SystemMap::new(system, choice.method, *control);
         let about = About::of_all(system, None);
-        let (motion, found) = part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
+        let (motion, found) =
+            periodic_motion_of_part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
         motions.push(motion);
         state = found;
     }

@@ -2,8 +2,8 @@
 //! let it: the angle takes the place of time.
 
 use super::map::{
-    AGAIN, Map, Orbit, derivative_by_differences, derivative_by_greater_differences, follow,
-    rough_differences,
+    AGAIN, Map, Orbit, derivative_by_differences, derivative_by_greater_differences,
+    integrate_from, rough_differences,
 };
 use super::portrait::Portrait;
 use super::sink::Last;
@@ -70,7 +70,7 @@ impl<'a> PhaseMap<'a> {
     }
 
     /// A speed that the drive has about (rad/s).
-    pub(super) fn nominal(&self) -> f64 {
+    pub(super) fn nominal_speed(&self) -> f64 {
         self.scales[self.speed()]
     }
 
@@ -98,7 +98,7 @@ impl<'a> PhaseMap<'a> {
         time: f64,
         sink: &mut dyn Sink,
     ) -> Result<(), String> {
-        follow(self.system, self.method, self.budget, y, modes, time, sink)
+        integrate_from(self.system, self.method, self.budget, y, modes, time, sink)
     }
 
     /// From a state of the system to where the drive passes `target` (rad).
@@ -112,7 +112,7 @@ impl<'a> PhaseMap<'a> {
             if rest <= 0.0 {
                 return Ok(Arrival { time, y: at });
             }
-            let leg = AHEAD * rest * self.pace.get().max(1.0 / self.nominal());
+            let leg = AHEAD * rest * self.pace.get().max(1.0 / self.nominal_speed());
             let mut sink = PhaseCrossing::new(self.rotor, target);
             self.integrate(&at, &modes, leg, &mut sink)?;
             if let Some(caught) = sink.caught {
@@ -124,7 +124,7 @@ impl<'a> PhaseMap<'a> {
             let gained = sink.last.y[self.rotor] - at[self.rotor];
             (at, modes) = (sink.last.y, sink.modes);
             let speed = at[self.system.coordinates() + self.rotor];
-            if gained < STILL && speed.abs() < STILL * self.nominal() {
+            if gained < STILL && speed.abs() < STILL * self.nominal_speed() {
                 let place = shown(at[self.rotor], 7);
                 return Err(format!(
                     "the drive comes to rest at φ = {place} rad: what drives it is too weak \
@@ -142,7 +142,7 @@ impl<'a> PhaseMap<'a> {
             self.pace.set(if speed > 0.0 {
                 1.0 / speed
             } else {
-                1.0 / self.nominal()
+                1.0 / self.nominal_speed()
             });
         }
         Err(format!(

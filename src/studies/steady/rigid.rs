@@ -10,7 +10,7 @@ use super::simulate::simulate;
 use crate::dynamics::model::Model;
 use crate::dynamics::steady::cycle_map::{self, Load, Regime};
 use crate::dynamics::steady::flywheel::{self};
-use crate::dynamics::steady::{Profile, Question, Refusal, Row, SteadyMotion, steady};
+use crate::dynamics::steady::{Profile, Question, Refusal, Row, SteadyMotion, find_steady_motion};
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
 use crate::studies::Control;
@@ -40,7 +40,7 @@ pub(super) fn answer(
     control: &Control<'_>,
 ) -> Result<RigidAnswer, Vec<Fault>> {
     let node = model.objects[drive].nodes[0];
-    let rhythms = Rhythms::behind(model, node, &nodes_moved_by(model, node));
+    let rhythms = Rhythms::rhythms_behind_drive(model, node, &nodes_moved_by(model, node));
     let cycle = rhythms.whole_cycle(spec.cycle)?;
     let machine = Machine::new(model, drive, cycle)?;
     let refuse = |refusal: Refusal| refusal.faults("steady");
@@ -65,7 +65,7 @@ pub(super) fn answer(
             answer.agreement.simulation_failed = missing.failed;
         }
     }
-    Ok(answer.judged())
+    Ok(answer.with_check_warnings())
 }
 
 /// The energy-mass method, with a flywheel where one is asked for.
@@ -79,10 +79,10 @@ pub fn by_energy(
 ) -> Result<RigidAnswer, Refusal> {
     let (flywheel, motion) = match fluctuation {
         Some(wanted) => {
-            let (wheel, motion) = flywheel::size(profile, question, wanted)?;
+            let (wheel, motion) = flywheel::size_flywheel(profile, question, wanted)?;
             (Some(wheel), motion)
         }
-        None => (None, steady(profile, question)?),
+        None => (None, find_steady_motion(profile, question)?),
     };
     Ok(RigidAnswer {
         forces: Forces::Position,

@@ -16,7 +16,7 @@ const SAME_STATE: f64 = 1e-6;
 const MISS_ROUNDING: f64 = 1e-14;
 pub(super) const CLOSED: f64 = 1e-9;
 /// Greatest |a − b| relative to the scales.
-pub(super) fn distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
+pub(super) fn relative_distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
     let each = a.iter().zip(b).zip(scales);
     each.map(|((a, b), scale)| (a - b).abs() / scale)
         .fold(0.0, |most, d| if d > most || d.is_nan() { d } else { most })
@@ -87,7 +87,9 @@ fn repeats_sooner(map: &dyn Map, state: &[f64], turn: f64, periods: usize) -> Re
     let mut end = state.to_vec();
     for turns in 1..periods {
         end = map.apply(&end, turn)?;
-        if periods.is_multiple_of(turns) && distance(state, &end, map.scales()) <= SAME_STATE {
+        if periods.is_multiple_of(turns)
+            && relative_distance(state, &end, map.scales()) <= SAME_STATE
+        {
             return Ok(true);
         }
     }
@@ -124,7 +126,11 @@ enum Slope {
 ///
 /// # Errors
 /// The state itself gets nowhere.
-pub(super) fn near(map: &dyn Map, start: &[f64], time: f64) -> Result<Option<Vec<f64>>, String> {
+pub(super) fn fixed_point_near(
+    map: &dyn Map,
+    start: &[f64],
+    time: f64,
+) -> Result<Option<Vec<f64>>, String> {
     let (mut iterations, mut nearest) = (0, f64::INFINITY);
     let found = find_recurring_state(map, start, time, &mut iterations, &mut nearest)?;
     Ok(found.map(|(state, _)| state))
@@ -160,7 +166,7 @@ fn find_recurring_state(
     let n = start.len();
     let mut state = start.to_vec();
     let mut end = map.apply(&state, time)?;
-    let mut miss = distance(&state, &end, map.scales());
+    let mut miss = relative_distance(&state, &end, map.scales());
     let mut slope = Slope::Missing;
     let mut factors = DMatrix::zeros(0, 0).lu();
     let mut steps = 0;
@@ -182,7 +188,7 @@ fn find_recurring_state(
             let next: Vec<f64> = moved.map(|(s, d)| s + share * d).collect();
             let finite = next.iter().all(|entry| entry.is_finite());
             let end = finite.then(|| map.apply(&next, time).ok())??;
-            let miss = distance(&next, &end, map.scales());
+            let miss = relative_distance(&next, &end, map.scales());
             Some((next, end, miss))
         };
         let mut found = take(1.0);

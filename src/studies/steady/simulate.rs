@@ -31,7 +31,7 @@ impl NoSimulation {
         Self { why, failed }
     }
 
-    fn failed(why: String) -> Self {
+    fn of_failure(why: String) -> Self {
         Self { why, failed: true }
     }
 }
@@ -71,7 +71,7 @@ pub(super) fn simulate(
     let model = freed(model, drive, 0.0, start * (1.0 + disturbed), added);
     let failed = |faults: Vec<crate::fault::Fault>| {
         let first = faults.first();
-        NoSimulation::failed(first.map_or_else(String::new, |fault| fault.message.clone()))
+        NoSimulation::of_failure(first.map_or_else(String::new, |fault| fault.message.clone()))
     };
     let system = System::new(model).map_err(failed)?;
     let initial = system.initial_state().map_err(failed)?;
@@ -102,7 +102,7 @@ pub(super) fn simulate(
         return Err(NoSimulation::not_made(spent.to_string()));
     }
     if outcome.stop != Stop::Complete {
-        return Err(NoSimulation::failed(format!(
+        return Err(NoSimulation::of_failure(format!(
             "it stopped at t = {} s",
             outcome.time
         )));

@@ -34,14 +34,14 @@ impl ByFile {
 
     /// Any folder.
     #[cfg(test)]
-    pub(super) fn within(folder: &Path) -> Self {
+    pub(super) fn in_folder(folder: &Path) -> Self {
         Self {
             folder: Some(folder.to_owned()),
         }
     }
 
     /// Where the record of a file stands.
-    pub(super) fn place(&self, path: &Path) -> Option<PathBuf> {
+    pub(super) fn record_path(&self, path: &Path) -> Option<PathBuf> {
         let key = hash(path.to_string_lossy().as_bytes());
         Some(self.folder.as_ref()?.join(format!("{key}.json")))
     }
@@ -50,8 +50,10 @@ impl ByFile {
     ///
     /// # Errors
     /// There is no folder, or it cannot be written.
-    pub(super) fn keep<T: Serialize>(&self, path: &Path, content: T) -> Result<(), String> {
-        let place = self.place(path).ok_or("there is no folder to keep it in")?;
+    pub(super) fn write_record<T: Serialize>(&self, path: &Path, content: T) -> Result<(), String> {
+        let place = self
+            .record_path(path)
+            .ok_or("there is no folder to keep it in")?;
         let path = path.to_owned();
         let bytes = serde_json::to_vec(&Record { path, content });
         let bytes = bytes.map_err(|error| error.to_string())?;
@@ -62,20 +64,20 @@ impl ByFile {
 
     /// The record of a file; what cannot be read is none.
     pub(super) fn find<T: DeserializeOwned>(&self, path: &Path) -> Option<T> {
-        let record: Record<T> = read(&self.place(path)?)?;
+        let record: Record<T> = read(&self.record_path(path)?)?;
         (record.path == path).then_some(record.content)
     }
 
     /// Forgets the record of a file.
-    pub(super) fn forget(&self, path: &Path) {
-        if let Some(place) = self.place(path) {
+    pub(super) fn forget_record(&self, path: &Path) {
+        if let Some(place) = self.record_path(path) {
             // There may be none.
             let _ = fs::remove_file(place);
         }
     }
 
     /// All records, with their places.
-    pub(super) fn all<T: DeserializeOwned>(&self) -> Vec<(PathBuf, Record<T>)> {
+    pub(super) fn all_records<T: DeserializeOwned>(&self) -> Vec<(PathBuf, Record<T>)> {
         let folder = self.folder.as_ref();
         let entries = folder.and_then(|folder| fs::read_dir(folder).ok());
         let places = entries.into_iter().flatten().flatten();
@@ -114,26 +116,30 @@ mod tests {
     #[test]
     fn records_are_kept_by_file_and_for_the_user_alone() {
         let folder = tempfile::tempdir().unwrap();
-        let kept = ByFile::within(&folder.path().join("kept"));
+        let kept = ByFile::in_folder(&folder.path().join("kept"));
         let (one, other) = (Path::new("/a/one.json"), Path::new("/a/other.json"));
         let found = |path| kept.find::<std::collections::BTreeMap<String, u64>>(path);
         let record = |number: u64| std::collections::BTreeMap::from([("number", number)]);
         assert_eq!(found(one), None);
-        kept.keep(one, record(1)).unwrap();
-        kept.keep(one, record(2)).unwrap();
-        kept.keep(other, record(3)).unwrap();
+        kept.write_record(one, record(1)).unwrap();
+        kept.write_record(one, record(2)).unwrap();
+        kept.write_record(other, record(3)).unwrap();
         assert_eq!(found(one).unwrap()["number"], 2);
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
             let mode = |path: &Path| path.metadata().unwrap().permissions().mode() & 0o777;
             assert_eq!(mode(&folder.path().join("kept")), 0o700);
-            assert_eq!(mode(&kept.place(one).unwrap()), 0o600);
+            assert_eq!(mode(&kept.record_path(one).unwrap()), 0o600);
         }
         // What lies in the place of another file is not taken for its record.
-        std::fs::copy(kept.place(other).unwrap(), kept.place(one).unwrap()).unwrap();
+        std::fs::copy(
+            kept.record_path(other).unwrap(),
+            kept.record_path(one).unwrap(),
+        )
+        .unwrap();
         assert_eq!(found(one), None);
-        kept.forget(one);
+        kept.forget_record(one);
         assert_eq!(found(other).unwrap()["number"], 3);
     }
 }

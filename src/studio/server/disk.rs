@@ -38,7 +38,7 @@ enum File {
 /// Tells one state of a file from another without reading it.
 type Stamp = Option<(SystemTime, u64)>;
 
-fn stamp(path: &Path) -> Stamp {
+fn file_stamp(path: &Path) -> Stamp {
     let known = path.metadata().ok()?;
     Some((known.modified().ok()?, known.len()))
 }
@@ -49,12 +49,12 @@ impl OnDisk {
     /// # Errors
     /// It cannot be read.
     pub(super) fn open(path: &Path, drafts: Drafts) -> Result<Self, String> {
-        let file = File::Same(stamp(path));
+        let file = File::Same(file_stamp(path));
         let saved = Folder::read(path)?;
         let offered = drafts.find(path).filter(|draft| draft.text != saved);
         if offered.is_none() {
             // One of what was saved in the end.
-            drafts.forget(path);
+            drafts.forget_draft(path);
         }
         Ok(Self {
             path: path.to_owned(),
@@ -83,7 +83,7 @@ impl OnDisk {
     }
 
     /// Whether the file is there and holds a text, as far as is known.
-    pub(super) fn holds(&self, text: &str) -> bool {
+    pub(super) fn has_text(&self, text: &str) -> bool {
         self.saved == text && self.file != File::Gone
     }
 
@@ -107,7 +107,7 @@ impl OnDisk {
     }
 
     /// The draft that waits for a decision, as windows are told of it.
-    pub(super) fn offered(&self) -> Option<Value> {
+    pub(super) fn waiting_draft(&self) -> Option<Value> {
         let draft = self.offered.as_ref()?;
         Some(json!({ "time": draft.time, "other_base": draft.is_of_another(&self.saved) }))
     }
@@ -129,7 +129,7 @@ impl OnDisk {
 
     /// Looks at the file: whether others have changed it.
     pub(super) fn check_for_changes(&mut self, text: &str) {
-        let now = stamp(&self.path);
+        let now = file_stamp(&self.path);
         let was = match self.file {
             File::Same(was) | File::Changed(was) => was,
             File::Gone => None,
@@ -163,8 +163,8 @@ impl OnDisk {
         let written = atomic::write(&self.path, text.as_bytes(), false);
         written.map_err(|error| format!("the file cannot be written: {}", error.kind()))?;
         self.hold(text);
-        self.file = File::Same(stamp(&self.path));
-        self.drafts.forget(&self.path);
+        self.file = File::Same(file_stamp(&self.path));
+        self.drafts.forget_draft(&self.path);
         self.drafted = None;
         Ok(())
     }
@@ -173,8 +173,8 @@ impl OnDisk {
     ///
     /// # Errors
     /// It cannot be read, or, where it is to be taken, not be kept as a text.
-    pub(super) fn accept(&mut self, take: bool) -> Result<String, String> {
-        let stamp = stamp(&self.path);
+    pub(super) fn decide_on_change(&mut self, take: bool) -> Result<String, String> {
+        let stamp = file_stamp(&self.path);
         self.is_itself()?;
         let found = Folder::read(&self.path)?;
         if take && found.replace("\r\n", "").contains('\r') {
@@ -187,19 +187,19 @@ impl OnDisk {
 
     /// The draft that was offered is decided on: its text, where it is taken. `None`: there
     /// was none.
-    pub(super) fn decide(&mut self, take: bool) -> Option<Option<String>> {
+    pub(super) fn decide_on_draft(&mut self, take: bool) -> Option<Option<String>> {
         let draft = self.offered.take()?;
         if take {
             return Some(Some(draft.text));
         }
-        self.drafts.forget(&self.path);
+        self.drafts.forget_draft(&self.path);
         self.drafted = None;
         Some(None)
     }
 
     /// Keeps what is not saved as a draft, and forgets the draft of what is; what is still to
     /// be written.
-    pub(super) fn keep(
+    pub(super) fn save_as_draft(
         &mut self,
         text: &str,
         version: u64,
@@ -209,7 +209,7 @@ impl OnDisk {
         }
         if self.saved == text {
             if self.drafted.take().is_some() {
-                self.drafts.forget(&self.path);
+                self.drafts.forget_draft(&self.path);
             }
             return None;
         }
@@ -221,7 +221,7 @@ impl OnDisk {
         let (saved, text) = (self.saved.clone(), text.to_owned());
         Some(move || {
             // Where drafts cannot be kept, the next second tries again.
-            let _ = drafts.keep(&path, &saved, &text);
+            let _ = drafts.write_draft(&path, &saved, &text);
         })
     }
 }

@@ -29,22 +29,22 @@ impl Drafts {
 
     /// Those in a folder.
     #[cfg(test)]
-    pub(super) fn within(folder: &Path) -> Self {
-        Self(ByFile::within(folder))
+    pub(super) fn in_folder(folder: &Path) -> Self {
+        Self(ByFile::in_folder(folder))
     }
 
     /// Keeps a text of a file that held `saved` when it was last looked at.
     ///
     /// # Errors
     /// It cannot be written.
-    pub(super) fn keep(&self, path: &Path, saved: &str, text: &str) -> Result<(), String> {
+    pub(super) fn write_draft(&self, path: &Path, saved: &str, text: &str) -> Result<(), String> {
         let time = SystemTime::now().duration_since(UNIX_EPOCH);
         let draft = Draft {
             base: hash(saved.as_bytes()),
             text: text.to_owned(),
             time: time.map_or(0, |time| time.as_secs()),
         };
-        self.0.keep(path, draft)
+        self.0.write_record(path, draft)
     }
 
     /// The draft of a file.
@@ -53,8 +53,8 @@ impl Drafts {
     }
 
     /// Forgets the draft of a file.
-    pub(super) fn forget(&self, path: &Path) {
-        self.0.forget(path);
+    pub(super) fn forget_draft(&self, path: &Path) {
+        self.0.forget_record(path);
     }
 }
 
@@ -73,16 +73,16 @@ mod tests {
     #[test]
     fn a_draft_tells_what_file_it_was_made_of() {
         let folder = tempfile::tempdir().unwrap();
-        let drafts = Drafts::within(&folder.path().join("drafts"));
+        let drafts = Drafts::in_folder(&folder.path().join("drafts"));
         let (one, other) = (Path::new("/a/one.json"), Path::new("/a/other.json"));
         assert_eq!(drafts.find(one), None);
-        drafts.keep(one, "saved", "first").unwrap();
-        drafts.keep(one, "saved", "second").unwrap();
-        drafts.keep(other, "", "third").unwrap();
+        drafts.write_draft(one, "saved", "first").unwrap();
+        drafts.write_draft(one, "saved", "second").unwrap();
+        drafts.write_draft(other, "", "third").unwrap();
         let draft = drafts.find(one).unwrap();
         assert_eq!(draft.text, "second");
         assert!(!draft.is_of_another("saved") && draft.is_of_another("changed"));
-        drafts.forget(one);
+        drafts.forget_draft(one);
         assert_eq!(drafts.find(one), None);
         assert_eq!(drafts.find(other).unwrap().text, "third");
     }

@@ -28,7 +28,7 @@ pub(super) struct Earlier(Vec<Token>);
 
 impl Earlier {
     /// The token of this program alone.
-    pub(super) fn none(own: &Token) -> Self {
+    pub(super) fn own_token_only(own: &Token) -> Self {
         Self(vec![own.clone()])
     }
 
@@ -37,7 +37,7 @@ impl Earlier {
         let place = state_folder().map(|state| state.join("windows.json"));
         match place {
             Some(place) => Self::at(&place, own, port, folder),
-            None => Self::none(own),
+            None => Self::own_token_only(own),
         }
     }
 

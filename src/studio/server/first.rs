@@ -59,7 +59,7 @@ fn opening_message(studio: &Studio) -> Value {
         json!({ "name": name, "title": title })
     });
     let mut told = asides::beginnings();
-    told["recent"] = json!(studio.recent.below(folder));
+    told["recent"] = json!(studio.recent.scenes_below(folder));
     told["scenes"] = json!(scenes.collect::<Vec<_>>());
     told
 }

@@ -79,7 +79,7 @@ impl Folder {
     ///
     /// # Errors
     /// It leads out, is there already, or is no name of a scene.
-    pub(super) fn place(&self, name: &str) -> Result<PathBuf, String> {
+    pub(super) fn path_of_new_file(&self, name: &str) -> Result<PathBuf, String> {
         let path = self.path_within(name)?;
         if path.extension().is_none_or(|extension| extension != "json") {
             return Err("the name of a scene ends with .json".to_owned());
@@ -130,7 +130,7 @@ impl Folder {
     /// The scenes below the folder by their names; links are not followed.
     pub(super) fn scenes(&self) -> Vec<String> {
         let mut found = Vec::new();
-        collect(&self.root, "", 0, &mut found);
+        collect_files(&self.root, "", 0, &mut found);
         found.sort();
         found
     }
@@ -139,7 +139,7 @@ impl Folder {
     pub(super) fn catalogue(&self, scene: &Path) -> Shelf {
         Shelf {
             root: self.root.clone(),
-            objects: Objects::beside(scene),
+            objects: Objects::beside_scene(scene),
             folder: scene.parent().unwrap_or(Path::new("")).join("objects"),
         }
     }
@@ -147,7 +147,7 @@ impl Folder {
 
 const NO_FILE: &str = "there is no such scene in this folder";
 
-fn collect(folder: &Path, prefix: &str, depth: usize, found: &mut Vec<String>) {
+fn collect_files(folder: &Path, prefix: &str, depth: usize, found: &mut Vec<String>) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
     };
@@ -161,7 +161,7 @@ fn collect(folder: &Path, prefix: &str, depth: usize, found: &mut Vec<String>) {
             continue;
         }
         if kind.is_dir() && depth < DEPTH && !left_out {
-            collect(&entry.path(), &format!("{prefix}{name}/"), depth + 1, found);
+            collect_files(&entry.path(), &format!("{prefix}{name}/"), depth + 1, found);
         } else if kind.is_file() && name.ends_with(".json") && is_scene(&entry.path()) {
             found.push(format!("{prefix}{name}"));
         }
@@ -275,9 +275,9 @@ mod tests {
             "new.txt",
             "no/new.json",
         ] {
-            assert!(folder.place(name).is_err(), "{name}");
+            assert!(folder.path_of_new_file(name).is_err(), "{name}");
         }
-        assert!(folder.place("deep/new.json").is_ok());
+        assert!(folder.path_of_new_file("deep/new.json").is_ok());
         assert_eq!(folder.scenes(), ["a.json", "deep/b.json"]);
         let shelf = folder.catalogue(&folder.file("a.json").unwrap());
         assert!(shelf.lookup("o").is_none() && shelf.names().is_empty());

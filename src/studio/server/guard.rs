@@ -53,14 +53,14 @@ pub(super) async fn guard(
 
 fn let_in(studio: &Studio, request: &Request) -> Result<(), StatusCode> {
     let headers = request.headers();
-    let host = only(headers, &HOST).ok_or(StatusCode::FORBIDDEN)?;
+    let host = single_header(headers, &HOST).ok_or(StatusCode::FORBIDDEN)?;
     let asked = request.uri().authority();
     if host != studio.host() || asked.is_some_and(|asked| asked.as_str() != studio.host()) {
         return Err(StatusCode::FORBIDDEN);
     }
     let path = request.uri().path();
     let changes = ![Method::GET, Method::HEAD].contains(request.method()) || path == "/ws";
-    let own = only(headers, &ORIGIN).is_some_and(|origin| origin == studio.origin());
+    let own = single_header(headers, &ORIGIN).is_some_and(|origin| origin == studio.origin());
     if (changes || headers.contains_key(ORIGIN)) && !own {
         return Err(StatusCode::FORBIDDEN);
     }
@@ -74,7 +74,8 @@ fn let_in(studio: &Studio, request: &Request) -> Result<(), StatusCode> {
         return Err(StatusCode::FORBIDDEN);
     }
     if path.starts_with("/api/") {
-        let given = only(headers, &AUTHORIZATION).and_then(|text| text.strip_prefix("Bearer "));
+        let given =
+            single_header(headers, &AUTHORIZATION).and_then(|text| text.strip_prefix("Bearer "));
         if !given.is_some_and(|given| studio.token().is(given)) {
             return Err(StatusCode::UNAUTHORIZED);
         }
@@ -86,7 +87,7 @@ fn let_in(studio: &Studio, request: &Request) -> Result<(), StatusCode> {
 }
 
 /// A header that is there once.
-fn only<'h>(headers: &'h HeaderMap, name: &HeaderName) -> Option<&'h str> {
+fn single_header<'h>(headers: &'h HeaderMap, name: &HeaderName) -> Option<&'h str> {
     let mut all = headers.get_all(name).iter();
     let first = all.next()?;
     all.next().is_none().then_some(first)?.to_str().ok()

@@ -17,7 +17,7 @@ pub(super) struct Edit {
 }
 
 impl Edit {
-    fn back(&self) -> Self {
+    fn reversed(&self) -> Self {
         Self {
             at: self.at,
             removed: self.inserted.clone(),
@@ -58,14 +58,14 @@ pub(super) struct History {
 
 impl History {
     /// Whether there is something to undo and to redo.
-    pub(super) fn has(&self) -> [bool; 2] {
+    pub(super) fn can_undo_and_redo(&self) -> [bool; 2] {
         [!self.done.is_empty(), !self.undone.is_empty()]
     }
 
     /// The edits that take the last step back.
     pub(super) fn undo(&mut self) -> Option<Vec<Edit>> {
         let step = self.done.pop()?;
-        let edits = step.edits.iter().rev().map(Edit::back).collect();
+        let edits = step.edits.iter().rev().map(Edit::reversed).collect();
         self.undone.push(step);
         Some(edits)
     }
@@ -89,13 +89,13 @@ impl History {
             && last.continues_with(&edits, &group, time)
         {
             last.time = time;
-            last.join(&mut edits);
+            last.merge_drag_edits(&mut edits);
             return;
         }
         self.done.push(Step { edits, group, time });
-        let mut kept: usize = self.done.iter().map(Step::size).sum();
+        let mut kept: usize = self.done.iter().map(Step::count_of_characters).sum();
         while kept > HISTORY && self.done.len() > 1 {
-            kept -= self.done.remove(0).size();
+            kept -= self.done.remove(0).count_of_characters();
         }
     }
 }
@@ -119,7 +119,7 @@ impl Step {
     }
 
     /// A drag writes the same number over and over: its ends are enough.
-    fn join(&mut self, edits: &mut Vec<Edit>) {
+    fn merge_drag_edits(&mut self, edits: &mut Vec<Edit>) {
         let [old, new] = [self.edits.as_mut_slice(), edits.as_mut_slice()];
         if let ([old], [new]) = (old, new)
             && old.at == new.at
@@ -132,7 +132,7 @@ impl Step {
     }
 
     /// Characters that it keeps, about.
-    fn size(&self) -> usize {
+    fn count_of_characters(&self) -> usize {
         let edits = self.edits.iter();
         edits
             .map(|edit| 64 + edit.removed.len() + edit.inserted.len())

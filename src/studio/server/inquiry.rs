@@ -69,7 +69,7 @@ impl Inquirer {
     }
 
     /// Answers all of them; what was found of the same scene is told again.
-    pub(super) fn work(&mut self, name: &str, inquiry: &Inquiry, stop: &AtomicBool) {
+    pub(super) fn answer_inquiry(&mut self, name: &str, inquiry: &Inquiry, stop: &AtomicBool) {
         let Inquiry {
             version,
             text,

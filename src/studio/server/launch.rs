@@ -24,7 +24,7 @@ impl Drop for Page {
 ///
 /// # Errors
 /// The file cannot be written, or there is nothing that opens a browser.
-pub(super) fn open(address: &str) -> Result<Page, String> {
+pub(super) fn open_browser(address: &str) -> Result<Page, String> {
     let folder = by_file::state_folder().ok_or("there is no folder for the state of programs")?;
     let page = (|| {
         atomic::private_folder(&folder)?;

@@ -91,7 +91,7 @@ pub(crate) fn serve(
                 None
             }
             true => {
-                let page = launch::open(&address)?;
+                let page = launch::open_browser(&address)?;
                 tell(&format!(
                     "The studio is open in the browser; it is served on port {} until Ctrl-C.\n",
                     port.port()

@@ -53,8 +53,8 @@ impl Pins {
 
     /// Those in a folder.
     #[cfg(test)]
-    pub(super) fn within(folder: &Path) -> Self {
-        Self(ByFile::within(folder))
+    pub(super) fn in_folder(folder: &Path) -> Self {
+        Self(ByFile::in_folder(folder))
     }
 
     /// Those of a file, no more of them than may be.
@@ -69,12 +69,12 @@ impl Pins {
     ///
     /// # Errors
     /// They cannot be written.
-    pub(super) fn keep(&self, path: &Path, kept: &PinRecord) -> Result<(), String> {
+    pub(super) fn write_pins(&self, path: &Path, kept: &PinRecord) -> Result<(), String> {
         if kept.pins.is_empty() {
-            self.0.forget(path);
+            self.0.forget_record(path);
             return Ok(());
         }
-        self.0.keep(path, kept)
+        self.0.write_record(path, kept)
     }
 }
 
@@ -97,11 +97,11 @@ mod tests {
     #[test]
     fn pins_are_kept_by_scene_and_given_to_their_tab_or_the_first_that_comes() {
         let folder = tempfile::tempdir().unwrap();
-        let pins = Pins::within(&folder.path().join("pins"));
+        let pins = Pins::in_folder(&folder.path().join("pins"));
         let (one, other) = (Path::new("/a/one.json"), Path::new("/a/other.json"));
         assert_eq!(pins.find(one), PinRecord::default());
         let all = vec![pin("first", "{}"), pin("second", "[]")];
-        pins.keep(one, &PinRecord::of_window("tab", all.clone()))
+        pins.write_pins(one, &PinRecord::of_window("tab", all.clone()))
             .unwrap();
         assert_eq!(pins.find(other).pins, []);
         let mut found = pins.find(one);
@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(found.claim("newer"), None);
         assert_eq!(found.claim(""), None);
         assert_eq!(found.claim("tab").unwrap(), all);
-        pins.keep(one, &PinRecord::of_window("tab", Vec::new()))
+        pins.write_pins(one, &PinRecord::of_window("tab", Vec::new()))
             .unwrap();
         assert_eq!(pins.find(one), PinRecord::default());
         assert_eq!(
@@ -123,12 +123,13 @@ mod tests {
     #[test]
     fn of_a_strange_file_no_more_is_taken_than_may_be_pinned() {
         let folder = tempfile::tempdir().unwrap();
-        let pins = Pins::within(folder.path());
+        let pins = Pins::in_folder(folder.path());
         let path = Path::new("/a/one.json");
         let large = " ".repeat((1 << 20) + 1);
         let mut many = vec![pin("large", &large)];
         many.extend((0..5).map(|k| pin(&k.to_string(), "{}")));
-        pins.keep(path, &PinRecord::of_window("", many)).unwrap();
+        pins.write_pins(path, &PinRecord::of_window("", many))
+            .unwrap();
         let names: Vec<_> = pins
             .find(path)
             .pins

@@ -10,8 +10,8 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     let opened = Opened::new();
     opened.told("answer", |one| one["version"] == 0);
     let other = Arc::new(Window::new(8, ""));
-    opened.room.join(&other, None);
-    opened.room.pin(7, "first").unwrap();
+    opened.room.add_window(&other, None);
+    opened.room.keep_run(7, "first").unwrap();
     let both = opened.told("answer", |one| one["pins"] == json!(["first"]));
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
     let moved = opened.told("answer", |one| one["version"] == 1);
@@ -32,7 +32,7 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     assert!(tables.contains("Results of rocker over pinned runs") && tables.contains('%'));
     // The other window sees nothing of it.
     let mut seen = 0;
-    while let Some(sent) = other.next().unwrap() {
+    while let Some(sent) = other.next_message().unwrap() {
         other.acknowledge(WindowInput::Answer);
         if let Sent::Binary(bytes) = sent {
             assert!(!String::from_utf8_lossy(&bytes).contains("pinned runs"));
@@ -45,11 +45,11 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
         "",
         "a name that is much longer than a legend bears",
     ] {
-        let _ = opened.room.pin(7, name);
+        let _ = opened.room.keep_run(7, name);
     }
     let full = opened.told("answer", |one| one["pins"].as_array().unwrap().len() == 3);
     assert_eq!(full["pins"], json!(["first", "first (2)", "run 3"]));
-    assert!(opened.room.pin(7, "one too many").is_err());
+    assert!(opened.room.keep_run(7, "one too many").is_err());
     opened.room.change_view(7, |view| view.rename(1, "now"));
     opened.told("answer", |one| one["pins"][1] == "now (2)");
     for _ in 0..3 {
@@ -63,11 +63,11 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
 fn a_tab_that_is_loaded_anew_has_its_pinned_runs() {
     let mut opened = Opened::new();
     opened.told("answer", |one| one["version"] == 0);
-    opened.room.pin(7, "first").unwrap();
+    opened.room.keep_run(7, "first").unwrap();
     opened.told("answer", |one| one["pins"] == json!(["first"]));
     let window = |id: u64, tab: &str| Arc::new(Window::new(id, tab));
     let joined = |opened: &mut Opened, new: Arc<Window>| {
-        opened.room.join(&new, None);
+        opened.room.add_window(&new, None);
         std::mem::replace(&mut opened.window, new)
     };
     // Before the old window was missed, and after.
@@ -92,7 +92,7 @@ fn started_again(opened: Opened) -> Opened {
     } = opened;
     drop(old);
     let (room, window) = (room(base.path()), Arc::new(Window::new(1, "another")));
-    room.join(&window, None);
+    room.add_window(&window, None);
     Opened { base, room, window }
 }
 
@@ -100,10 +100,10 @@ fn started_again(opened: Opened) -> Opened {
 fn pinned_runs_are_worked_out_again_after_a_restart() {
     let opened = Opened::new();
     opened.told("answer", |one| one["version"] == 0);
-    opened.room.pin(7, "first").unwrap();
+    opened.room.keep_run(7, "first").unwrap();
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
     let moved = opened.told("answer", |one| one["version"] == 1);
-    opened.room.pin(7, "").unwrap();
+    opened.room.keep_run(7, "").unwrap();
     opened.room.change_view(7, |view| view.rename(1, "second"));
     let named = opened.told("answer", |one| one["pins"] == json!(["first", "second"]));
     opened.room.keep_pins();
@@ -135,7 +135,7 @@ fn pinned_runs_are_worked_out_again_after_a_restart() {
     assert!(kept * 3 >= before.len() * 2, "{before:?} {after:?}");
     // A second window begins with the run alone.
     let other = Arc::new(Window::new(2, "third"));
-    again.room.join(&other, None);
+    again.room.add_window(&other, None);
     let again = Opened {
         window: other,
         ..again
@@ -154,7 +154,7 @@ fn pinned_runs_are_worked_out_again_after_a_restart() {
 fn a_pinned_run_whose_scene_is_another_now_is_not_shown() {
     let opened = Opened::new();
     opened.told("answer", |one| one["version"] == 0);
-    opened.room.pin(7, "first").unwrap();
+    opened.room.keep_run(7, "first").unwrap();
     opened.room.keep_pins();
     let folder = opened.base.path().join("pins");
     let file = std::fs::read_dir(folder)

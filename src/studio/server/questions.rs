@@ -27,7 +27,7 @@ impl FromRequestParts<Arc<Studio>> for Opened {
     async fn from_request_parts(parts: &mut Parts, studio: &Arc<Studio>) -> Result<Self, Response> {
         let named = Query::<SceneQuery>::from_request_parts(parts, studio).await;
         let Query(named) = named.map_err(IntoResponse::into_response)?;
-        let room = studio.room(&named.scene);
+        let room = studio.document_of_file(&named.scene);
         room.map(Self)
             .map_err(|message| refused(StatusCode::NOT_FOUND, &message))
     }
@@ -44,7 +44,7 @@ pub(super) async fn schema(Opened(room): Opened) -> Response {
 
 /// What a scene may be made of: kinds, and objects of the catalogue.
 pub(super) async fn parts(Opened(room): Opened) -> Response {
-    Json(of_newest(&room, |aside| aside.parts())).into_response()
+    Json(of_newest(&room, |aside| aside.available_parts())).into_response()
 }
 
 /// The dynamic model and the equations of a scene as it is edited at present.

@@ -34,8 +34,8 @@ impl Recent {
 
     /// What is kept in a folder.
     #[cfg(test)]
-    pub(super) fn within(folder: &Path) -> Self {
-        Self(ByFile::within(folder))
+    pub(super) fn in_folder(folder: &Path) -> Self {
+        Self(ByFile::in_folder(folder))
     }
 
     /// Remembers that a file is opened now. Where nothing can be kept, nothing is.
@@ -44,8 +44,8 @@ impl Recent {
         let opened = Opened {
             time: now.map_or(0, |now| u64::try_from(now.as_millis()).unwrap_or(u64::MAX)),
         };
-        if self.0.keep(path, opened).is_ok() {
-            for (old, _) in self.all().into_iter().skip(MOST) {
+        if self.0.write_record(path, opened).is_ok() {
+            for (old, _) in self.all_records().into_iter().skip(MOST) {
                 // Another program may have been there before.
                 let _ = fs::remove_file(old);
             }
@@ -53,8 +53,8 @@ impl Recent {
     }
 
     /// Everything that is kept, with its files, the newest first.
-    fn all(&self) -> Vec<(PathBuf, Record<Opened>)> {
-        let mut all = self.0.all::<Opened>();
+    fn all_records(&self) -> Vec<(PathBuf, Record<Opened>)> {
+        let mut all = self.0.all_records::<Opened>();
         all.sort_by(|(_, a), (_, b)| {
             let newest = b.content.time.cmp(&a.content.time);
             newest.then_with(|| a.path.cmp(&b.path))
@@ -64,9 +64,9 @@ impl Recent {
 
     /// The scenes below a folder that were opened last and are still there, by their names, the
     /// newest first.
-    pub(super) fn below(&self, folder: &Folder) -> Vec<String> {
+    pub(super) fn scenes_below(&self, folder: &Folder) -> Vec<String> {
         let names = self
-            .all()
+            .all_records()
             .into_iter()
             .filter_map(|(_, opened)| folder.name_of(&opened.path));
         names.take(TOLD).collect()
@@ -86,9 +86,9 @@ mod tests {
         let root = base.path().canonicalize().unwrap();
         let (open, state) = (root.join("open"), root.join("state/recent"));
         fs::create_dir_all(open.join("deep")).unwrap();
-        let recent = Recent::within(&state);
+        let recent = Recent::in_folder(&state);
         let (folder, _) = Folder::open(Some(&open)).unwrap();
-        assert!(recent.below(&folder).is_empty());
+        assert!(recent.scenes_below(&folder).is_empty());
         let files = [
             "open/a.json",
             "open/deep/b.json",
@@ -104,14 +104,14 @@ mod tests {
         fs::remove_file(open.join("gone.json")).unwrap();
         // What is no record is nothing.
         fs::write(state.join("x.json"), "[").unwrap();
-        assert_eq!(recent.below(&folder), ["a.json", "deep/b.json"]);
+        assert_eq!(recent.scenes_below(&folder), ["a.json", "deep/b.json"]);
         #[cfg(unix)]
         {
             use std::os::unix::fs::{PermissionsExt, symlink};
             // A file in whose place a link has come leads out, and is not told of.
             fs::remove_file(open.join("a.json")).unwrap();
             symlink(root.join("other.json"), open.join("a.json")).unwrap();
-            assert_eq!(recent.below(&folder), ["deep/b.json"]);
+            assert_eq!(recent.scenes_below(&folder), ["deep/b.json"]);
             for entry in fs::read_dir(&state).unwrap().flatten() {
                 let is_own = entry.file_name() != "x.json";
                 let mode = entry.metadata().unwrap().permissions().mode() & 0o777;
@@ -124,7 +124,7 @@ mod tests {
     fn the_oldest_are_forgotten() {
         let base = tempfile::tempdir().unwrap();
         let root = base.path().canonicalize().unwrap();
-        let recent = Recent::within(&root.join("recent"));
+        let recent = Recent::in_folder(&root.join("recent"));
         let (folder, _) = Folder::open(Some(&root)).unwrap();
         fs::write(root.join("first.json"), "{}").unwrap();
         recent.remember(&root.join("first.json"));
@@ -133,8 +133,8 @@ mod tests {
             fs::write(root.join(format!("{number}.json")), "{}").unwrap();
             recent.remember(&root.join(format!("{number}.json")));
         }
-        assert_eq!(recent.all().len(), MOST);
-        let told = recent.below(&folder);
+        assert_eq!(recent.all_records().len(), MOST);
+        let told = recent.scenes_below(&folder);
         assert!(told.len() == TOLD && !told.contains(&"first.json".to_owned()));
     }
 }

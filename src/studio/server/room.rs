@@ -91,7 +91,7 @@ impl Room {
         let mut kept = AnswerCache::default();
         let run = move |question, stop: &AtomicBool| {
             if let Some(room) = one.upgrade() {
-                room.work(&question, stop, &mut kept);
+                room.answer_version(&question, stop, &mut kept);
             }
         };
         let runs = Desk::new("run", Rank::Beside, run, move || failed(&other))?;
@@ -108,7 +108,7 @@ impl Room {
         let mut inquirer = Inquirer::new(commands, shelf, exhausted);
         let answer = move |inquiry: Inquiry, stop: &AtomicBool| {
             if let Some(room) = one.upgrade() {
-                inquirer.work(&room.name, &inquiry, stop);
+                inquirer.answer_inquiry(&room.name, &inquiry, stop);
             }
         };
         let questions = Desk::new("question", Rank::Beside, answer, move || {
@@ -154,13 +154,13 @@ impl Room {
     }
 
     /// A window looks at it, or does so again.
-    pub(super) fn join(&self, window: &Arc<Window>, since: Option<&messages::Since>) {
+    pub(super) fn add_window(&self, window: &Arc<Window>, since: Option<&messages::Since>) {
         let mut state = self.lock();
-        window.forget();
+        window.forget_document();
         let resumed = since.and_then(|since| state.resumed(&self.name, since));
         let message = resumed.unwrap_or_else(|| state.opened(&self.name));
         window.send(message.into());
-        let again = state.back(window);
+        let again = state.window_returns(window);
         state.windows.insert(window.id, window.clone());
         window.send(state.status_message().into());
         if let Some(checked) = &state.checked {
@@ -176,11 +176,11 @@ impl Room {
 
     /// A window is gone, or looks at another.
     pub(super) fn remove_window(&self, window: &Window) {
-        self.lock().part(window);
+        self.lock().window_leaves(window);
     }
 
     /// A window sees these charts: those that come into its sight it is sent with their numbers.
-    pub(super) fn sight(&self, window: &Window, charts: BTreeSet<usize>) {
+    pub(super) fn set_visible_charts(&self, window: &Window, charts: BTreeSet<usize>) {
         let state = self.lock();
         if window.set_visible_charts(charts)
             && let Some(answer) = state.answer_for(window.id)
@@ -261,9 +261,9 @@ impl Room {
     }
 
     /// The file was changed by others: takes it, or stays with the text.
-    pub(super) fn decide(&self, reload: bool) -> Result<(), String> {
+    pub(super) fn decide_on_reload(&self, reload: bool) -> Result<(), String> {
         let mut state = self.lock();
-        let found = state.disk.accept(reload)?;
+        let found = state.disk.decide_on_change(reload)?;
         if reload {
             let before = state.text.version();
             let changes = state.text.replace(&found);
@@ -276,7 +276,7 @@ impl Room {
     /// Takes the draft that was offered, or forgets it.
     pub(super) fn draft(&self, restore: bool) {
         let mut state = self.lock();
-        let Some(draft) = state.disk.decide(restore) else {
+        let Some(draft) = state.disk.decide_on_draft(restore) else {
             return;
         };
         if let Some(draft) = draft {
@@ -339,7 +339,7 @@ impl Room {
         let State { text, disk, .. } = &mut *state;
         disk.check_for_changes(text.text());
         let kept = match round.is_multiple_of(20) {
-            true => disk.keep(text.text(), text.version()),
+            true => disk.save_as_draft(text.text(), text.version()),
             false => None,
         };
         state.broadcast_status();

@@ -23,8 +23,8 @@ pub(super) fn room(base: &std::path::Path) -> Arc<Room> {
     let folder = base.join("open");
     let (folder, _) = Folder::open(Some(&folder)).unwrap();
     let path = folder.file("scene.json").unwrap();
-    let drafts = Drafts::within(&base.join("drafts"));
-    let pins = Pins::within(&base.join("pins"));
+    let drafts = Drafts::in_folder(&base.join("drafts"));
+    let pins = Pins::in_folder(&base.join("pins"));
     Room::open(
         "scene.json",
         &path,
@@ -45,7 +45,7 @@ impl Opened {
         )
         .unwrap();
         let (room, window) = (room(base.path()), Arc::new(Window::new(7, "one")));
-        room.join(&window, None);
+        room.add_window(&window, None);
         Self { base, room, window }
     }
 
@@ -69,7 +69,7 @@ impl Opened {
     pub(super) fn told(&self, kind: &str, fits: impl Fn(&Value) -> bool) -> Value {
         let begun = Instant::now();
         loop {
-            while let Some(sent) = self.window.next().unwrap() {
+            while let Some(sent) = self.window.next_message().unwrap() {
                 let message: Value = match sent {
                     Sent::Text(text) => serde_json::from_str(&text).unwrap(),
                     Sent::Binary(bytes) => {
@@ -148,7 +148,7 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
     opened.replace(2, "\"inertia\":  0.13", "\"inertia\": 0.2", None);
     opened.told("answer", |one| one["version"] == 3);
     std::thread::sleep(Duration::from_millis(300));
-    while let Some(sent) = opened.window.next().unwrap() {
+    while let Some(sent) = opened.window.next_message().unwrap() {
         assert!(!matches!(sent, Sent::Text(text) if text.contains("\"question\"")));
     }
 }
@@ -191,7 +191,7 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
         let plots = answer["plots"].as_array().unwrap();
         (0..plots.len()).filter(|&k| !plots[k].is_null()).collect()
     };
-    opened.room.sight(&opened.window, [2].into());
+    opened.room.set_visible_charts(&opened.window, [2].into());
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
     let second = opened.told("answer", |one| one["version"] == 1);
     assert_eq!(seen(&second), [2]);
@@ -215,14 +215,16 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
         assert_eq!(length.is_null(), !wanted.contains(&k), "column {k}");
     }
     // What comes into sight is sent at once; what goes out of it is no reason to send anything.
-    opened.room.sight(&opened.window, [2, 0].into());
+    opened
+        .room
+        .set_visible_charts(&opened.window, [2, 0].into());
     let third = opened.told("answer", |one| one["version"] == 1);
     assert_eq!(seen(&third), [0, 2]);
-    opened.room.sight(&opened.window, [0].into());
+    opened.room.set_visible_charts(&opened.window, [0].into());
     assert!(
         opened
             .window
-            .next()
+            .next_message()
             .is_ok_and(|sent| sent.is_none_or(|one| matches!(one, Sent::Text(_))))
     );
 }
@@ -231,7 +233,7 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
 fn edits_upon_edits_on_the_way_are_taken_where_no_other_window_came_between() {
     let opened = Opened::new();
     let other = Arc::new(Window::new(8, ""));
-    opened.room.join(&other, None);
+    opened.room.add_window(&other, None);
     // A blank more at the end of the text; true: it was taken.
     let push = |window: &Window, version: u64, heard: u64| {
         let before = opened.room.newest().0;
@@ -333,7 +335,7 @@ fn a_file_that_others_changed_is_not_written_over() {
         opened.told("status", |one| one["disk"] == "changed")["saved"],
         false
     );
-    opened.room.decide(false).unwrap();
+    opened.room.decide_on_reload(false).unwrap();
     opened.room.save().unwrap();
     assert!(
         std::fs::read_to_string(opened.path())
@@ -341,7 +343,7 @@ fn a_file_that_others_changed_is_not_written_over() {
             .contains("0.25")
     );
     std::fs::write(opened.path(), theirs).unwrap();
-    opened.room.decide(true).unwrap();
+    opened.room.decide_on_reload(true).unwrap();
     assert_eq!(opened.room.text(), theirs);
     opened.room.step(true);
     assert!(opened.room.text().contains("0.25"));
@@ -351,16 +353,16 @@ fn a_file_that_others_changed_is_not_written_over() {
 fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
     let opened = Opened::new();
     let (saved, draft) = (opened.room.text(), opened.room.text().replace("0.1", "0.4"));
-    let drafts = Drafts::within(&opened.base.path().join("drafts"));
+    let drafts = Drafts::in_folder(&opened.base.path().join("drafts"));
     let path = opened.path().canonicalize().unwrap();
     for restore in [true, false] {
-        drafts.keep(&path, &saved, &draft).unwrap();
+        drafts.write_draft(&path, &saved, &draft).unwrap();
         let again = Opened {
             room: room(opened.base.path()),
             window: Arc::new(Window::new(8, "")),
             base: tempfile::tempdir().unwrap(),
         };
-        again.room.join(&again.window, None);
+        again.room.add_window(&again.window, None);
         assert_eq!(again.told("opened", |_| true)["draft"]["other_base"], false);
         let edit = [Update {
             changes: json!([[0, " "], saved.len()]),
@@ -370,7 +372,7 @@ fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
         again.room.draft(restore);
         assert_eq!(again.room.text(), if restore { &*draft } else { &*saved });
         assert_eq!(drafts.find(&path).is_some(), restore);
-        drafts.forget(&path);
+        drafts.forget_draft(&path);
     }
 }
 
@@ -386,9 +388,9 @@ fn a_window_that_lost_its_connection_gets_what_it_missed() {
     opened.replace(1, "\"inertia\": 0.2", "\"inertia\": 0.3", None);
     let returned = |since: &Since| {
         opened.room.remove_window(&opened.window);
-        opened.room.join(&opened.window, Some(since));
+        opened.room.add_window(&opened.window, Some(since));
         loop {
-            if let Some(Sent::Text(text)) = opened.window.next().unwrap() {
+            if let Some(Sent::Text(text)) = opened.window.next_message().unwrap() {
                 let message: Value = serde_json::from_str(&text).unwrap();
                 if ["opened", "resumed"].contains(&message["type"].as_str().unwrap()) {
                     return message;

@@ -65,7 +65,7 @@ impl Studio {
             commands,
             making: tokio::sync::Mutex::default(),
             previewing: tokio::sync::Mutex::default(),
-            earlier: Earlier::none(&token),
+            earlier: Earlier::own_token_only(&token),
             token,
             host: format!("127.0.0.1:{port}"),
             rooms: Mutex::default(),
@@ -103,7 +103,7 @@ impl Studio {
     ///
     /// # Errors
     /// There is no such scene, or it cannot be read; too many are open.
-    pub(super) fn room(&self, name: &str) -> Result<Arc<Room>, String> {
+    pub(super) fn document_of_file(&self, name: &str) -> Result<Arc<Room>, String> {
         let path = self.folder.file(name)?;
         let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(room) = rooms.get(&path) {
@@ -127,7 +127,7 @@ impl Studio {
     }
 
     /// All documents that are open.
-    pub(super) fn rooms(&self) -> Vec<Arc<Room>> {
+    pub(super) fn open_documents(&self) -> Vec<Arc<Room>> {
         let rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
         rooms.values().cloned().collect()
     }
@@ -140,7 +140,7 @@ pub(super) async fn keep(studio: Arc<Studio>) {
     for round in 0.. {
         interval.tick().await;
         let used = memory().saturating_sub(start);
-        for room in studio.rooms() {
+        for room in studio.open_documents() {
             if let Some(write) = room.supervise(used, round) {
                 tokio::task::spawn_blocking(write);
             }

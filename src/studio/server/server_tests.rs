@@ -32,7 +32,7 @@ impl Served {
         #[cfg(unix)]
         std::os::unix::fs::symlink(base.path().join("secret.json"), folder.join("link.json"))
             .unwrap();
-        let recent = Recent::within(&base.path().join("recent"));
+        let recent = Recent::in_folder(&base.path().join("recent"));
         let (send, receive) = std::sync::mpsc::channel();
         std::thread::spawn(move || {
             let runtime = tokio::runtime::Builder::new_current_thread()

@@ -35,7 +35,7 @@ impl Settings {
     }
 
     /// All of them; what cannot be read is none.
-    pub(super) fn all(&self) -> Map<String, Value> {
+    pub(super) fn all_settings(&self) -> Map<String, Value> {
         let bytes = self.place.as_ref().and_then(|place| fs::read(place).ok());
         let read = bytes.and_then(|bytes| serde_json::from_slice::<Map<_, _>>(&bytes).ok());
         let mut all = read.unwrap_or_default();
@@ -50,7 +50,7 @@ impl Settings {
     ///
     /// # Errors
     /// It is none that is kept, or too long; it cannot be written.
-    pub(super) fn keep(&self, name: &str, value: &str) -> Result<(), String> {
+    pub(super) fn write_setting(&self, name: &str, value: &str) -> Result<(), String> {
         if !NAMES.contains(&name) || value.len() > MOST {
             return Err("this is no setting that is kept".to_owned());
         }
@@ -62,7 +62,7 @@ impl Settings {
             return Ok(());
         };
         let _turn = self.turn.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut all = self.all();
+        let mut all = self.all_settings();
         all.insert(name.to_owned(), Value::from(value));
         atomic::private_folder(folder)
             .and_then(|()| atomic::write(place, Value::Object(all).to_string().as_bytes(), true))
@@ -80,22 +80,29 @@ mod tests {
         let base = tempfile::tempdir().unwrap();
         let place = base.path().join("dam/settings.json");
         let settings = Settings::at(Some(place.clone()));
-        assert!(settings.all().is_empty());
-        settings.keep("tour", "seen").unwrap();
-        settings.keep("units", "{\"m\":\"mm\"}").unwrap();
-        settings.keep("units", "{}").unwrap();
+        assert!(settings.all_settings().is_empty());
+        settings.write_setting("tour", "seen").unwrap();
+        settings.write_setting("units", "{\"m\":\"mm\"}").unwrap();
+        settings.write_setting("units", "{}").unwrap();
         let other = Settings::at(Some(place.clone()));
-        assert_eq!(json!(other.all()), json!({ "tour": "seen", "units": "{}" }));
-        assert!(settings.keep("../x", "y").is_err());
-        assert!(settings.keep("units", &"x".repeat(MOST + 1)).is_err());
+        assert_eq!(
+            json!(other.all_settings()),
+            json!({ "tour": "seen", "units": "{}" })
+        );
+        assert!(settings.write_setting("../x", "y").is_err());
+        assert!(
+            settings
+                .write_setting("units", &"x".repeat(MOST + 1))
+                .is_err()
+        );
         std::fs::write(
             &place,
             "{\"units\": 7, \"else\": \"x\", \"tour\": \"seen\"}",
         )
         .unwrap();
-        assert_eq!(json!(other.all()), json!({ "tour": "seen" }));
+        assert_eq!(json!(other.all_settings()), json!({ "tour": "seen" }));
         std::fs::write(&place, "[").unwrap();
-        assert!(other.all().is_empty());
-        assert_eq!(Settings::at(None).keep("tour", "seen"), Ok(()));
+        assert!(other.all_settings().is_empty());
+        assert_eq!(Settings::at(None).write_setting("tour", "seen"), Ok(()));
     }
 }

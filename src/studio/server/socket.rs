@@ -50,7 +50,7 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
         "token": studio.token().text(),
         "folder": studio.folder.name(),
         "scene": studio.scene,
-        "settings": studio.settings.all(),
+        "settings": studio.settings.all_settings(),
         "program": env!("CARGO_PKG_VERSION"),
     });
     window.send(welcome.to_string().into());
@@ -116,7 +116,7 @@ struct Visit {
 impl Visit {
     async fn last(&mut self, socket: &mut WebSocket) -> Option<()> {
         loop {
-            while let Some(sent) = self.window.next().ok()? {
+            while let Some(sent) = self.window.next_message().ok()? {
                 let message = match sent {
                     Sent::Text(text) => Message::Text((&*text).into()),
                     Sent::Binary(bytes) => Message::Binary(bytes.into()),
@@ -148,13 +148,15 @@ impl Visit {
     fn obey(&mut self, said: WindowMessage) -> Result<(), String> {
         let id = self.window.id;
         match said {
-            WindowMessage::Open { scene, since } => return self.open(&scene, since.as_ref()),
+            WindowMessage::Open { scene, since } => return self.open_scene(&scene, since.as_ref()),
             WindowMessage::Ping { number } => {
                 let told = json!({ "type": "pong", "number": number });
                 self.window.send(told.to_string().into());
                 return Ok(());
             }
-            WindowMessage::Keep { name, value } => return self.studio.settings.keep(&name, &value),
+            WindowMessage::Keep { name, value } => {
+                return self.studio.settings.write_setting(&name, &value);
+            }
             WindowMessage::Shown => self.window.acknowledge(WindowInput::Answer),
             WindowMessage::MapShown => self.window.acknowledge(WindowInput::Map),
             WindowMessage::QuestionShown => self.window.acknowledge(WindowInput::Question),
@@ -167,7 +169,7 @@ impl Visit {
                     Some(of) => gallery::beginning(&of)?,
                 };
                 self.write(&scene, &text)?;
-                return self.open(&scene, None);
+                return self.open_scene(&scene, None);
             }
             _ => {}
         }
@@ -180,7 +182,7 @@ impl Visit {
             } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
             WindowMessage::Save => room.save(),
             WindowMessage::Pin { name } => {
-                room.pin(id, &name)?;
+                room.keep_run(id, &name)?;
                 keep_pins(room);
                 Ok(())
             }
@@ -196,10 +198,10 @@ impl Visit {
             }
             WindowMessage::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
-                self.open(&scene, None)
+                self.open_scene(&scene, None)
             }
-            WindowMessage::Reload => room.decide(true),
-            WindowMessage::KeepMine => room.decide(false),
+            WindowMessage::Reload => room.decide_on_reload(true),
+            WindowMessage::KeepMine => room.decide_on_reload(false),
             other => {
                 match other {
                     WindowMessage::Undo => room.step(true),
@@ -210,7 +212,9 @@ impl Visit {
                     WindowMessage::Over { signals } => {
                         room.change_view(id, |view| view.over = signals)
                     }
-                    WindowMessage::Sight { charts } => room.sight(&self.window, charts),
+                    WindowMessage::Sight { charts } => {
+                        room.set_visible_charts(&self.window, charts)
+                    }
                     // Heard above.
                     _ => {}
                 }
@@ -219,8 +223,8 @@ impl Visit {
         }
     }
 
-    fn open(&mut self, scene: &str, since: Option<&Since>) -> Result<(), String> {
-        let room = self.studio.room(scene)?;
+    fn open_scene(&mut self, scene: &str, since: Option<&Since>) -> Result<(), String> {
+        let room = self.studio.document_of_file(scene)?;
         if let Ok(path) = self.studio.folder.file(scene) {
             let recent = self.studio.recent.clone();
             // Nobody waits for the disk.
@@ -229,13 +233,13 @@ impl Visit {
         if let Some(before) = self.room.replace(room.clone()) {
             before.remove_window(&self.window);
         }
-        room.join(&self.window, since);
+        room.add_window(&self.window, since);
         Ok(())
     }
 
     /// Makes a new file.
     fn write(&self, scene: &str, text: &str) -> Result<(), String> {
-        let place = self.studio.folder.place(scene)?;
+        let place = self.studio.folder.path_of_new_file(scene)?;
         atomic::new(&place, false)
             .and_then(|mut file| {
                 file.write_all(text.as_bytes())

@@ -100,7 +100,7 @@ impl State {
     }
 
     /// A window goes; what it saw waits for its tab, which may only be loaded anew.
-    pub(super) fn part(&mut self, window: &Window) {
+    pub(super) fn window_leaves(&mut self, window: &Window) {
         let id = window.id;
         self.windows.remove(&id);
         self.asked.remove(&id);
@@ -118,7 +118,7 @@ impl State {
     }
 
     /// A window comes: whether it sees again what its tab saw.
-    pub(super) fn back(&mut self, window: &Window) -> bool {
+    pub(super) fn window_returns(&mut self, window: &Window) -> bool {
         let view = self.view_of(&window.tab).or_else(|| {
             let kept = self.pins.claim(&window.tab)?;
             Some(View::from_records(kept))
@@ -179,7 +179,7 @@ impl State {
             "epoch": self.epoch,
             "version": self.text.version(),
             "text": self.text.with_unix_newlines(),
-            "draft": self.disk.offered(),
+            "draft": self.disk.waiting_draft(),
         })
         .to_string()
     }
@@ -218,7 +218,7 @@ impl State {
         let [undo, redo] = self.text.history();
         json!({
             "type": "status",
-            "saved": self.disk.holds(self.text.text()),
+            "saved": self.disk.has_text(self.text.text()),
             "base": self.disk.base(),
             "undo": undo,
             "redo": redo,

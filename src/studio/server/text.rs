@@ -56,7 +56,7 @@ impl Text {
 
     /// Whether there is something to undo and to redo.
     pub(super) fn history(&self) -> [bool; 2] {
-        self.history.has()
+        self.history.can_undo_and_redo()
     }
 
     /// Applies a window's changes: the list `[kept, [removed, line, line …], …]` of its editor.
@@ -89,13 +89,13 @@ impl Text {
     /// Takes the last step back; the changes for the windows. `None`: there is none.
     pub(super) fn undo(&mut self) -> Option<Vec<Value>> {
         let edits = self.history.undo()?;
-        Some(self.make(edits))
+        Some(self.apply_edits(edits))
     }
 
     /// Does the last step that was taken back again.
     pub(super) fn redo(&mut self) -> Option<Vec<Value>> {
         let edits = self.history.redo()?;
-        Some(self.make(edits))
+        Some(self.apply_edits(edits))
     }
 
     /// Puts another text in its place, as one step: only what differs is changed.
@@ -135,12 +135,12 @@ impl Text {
         if edit.removed == edit.inserted {
             return Vec::new();
         }
-        let changes = self.make(vec![edit.clone()]);
+        let changes = self.apply_edits(vec![edit.clone()]);
         self.history.remember(vec![edit], EditGroup::Alone);
         changes
     }
 
-    fn make(&mut self, edits: Vec<Edit>) -> Vec<Value> {
+    fn apply_edits(&mut self, edits: Vec<Edit>) -> Vec<Value> {
         let change = |edit: Edit| {
             let range = edit.at..edit.at + edit.removed.len();
             let [before, removed, after] = [
@@ -173,7 +173,7 @@ impl Text {
         let mut walk = UnitTraversal::new(&self.text);
         for part in changes.as_array().ok_or(WRONG)? {
             if let Some(kept) = part.as_u64() {
-                walk.advance(kept).ok_or(WRONG)?;
+                walk.skip_units(kept).ok_or(WRONG)?;
                 continue;
             }
             let (count, lines) = part
@@ -181,7 +181,7 @@ impl Text {
                 .and_then(|part| part.split_first())
                 .ok_or(WRONG)?;
             let start = walk.at;
-            walk.advance(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
+            walk.skip_units(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
             let lines: Option<Vec<&str>> = lines.iter().map(Value::as_str).collect();
             let lines = lines.ok_or(WRONG)?;
             if lines.iter().any(|line| line.contains(['\r', '\n'])) {

@@ -159,7 +159,7 @@ impl Window {
     }
 
     /// Another document: nothing of the one before is there.
-    pub(super) fn forget(&self) {
+    pub(super) fn forget_document(&self) {
         let mut queue = self.lock();
         *queue = Queue {
             messages: std::mem::take(&mut queue.messages),
@@ -168,7 +168,7 @@ impl Window {
     }
 
     /// What is to be sent now; `Err`: the window does not listen any more.
-    pub(super) fn next(&self) -> Result<Option<Sent>, ()> {
+    pub(super) fn next_message(&self) -> Result<Option<Sent>, ()> {
         let mut queue = self.lock();
         if queue.lost {
             return Err(());
@@ -179,7 +179,7 @@ impl Window {
         if !queue.showing
             && let Some(answer) = queue.answer.take()
         {
-            let frame = queue.had.take(&answer);
+            let frame = queue.had.next_frame(&answer);
             queue.showing = true;
             return Ok(Some(Sent::Binary(frame)));
         }

@@ -44,7 +44,7 @@ pub(super) enum Rank {
 
 impl Rank {
     /// Takes it, for this thread and those that it starts.
-    fn take(self) {
+    fn install(self) {
         if self == Self::Behind {
             lower_priority();
         }
@@ -83,7 +83,7 @@ impl<Q: Send + 'static> Desk<Q> {
         });
         let own = desk.clone();
         let run = move || {
-            rank.take();
+            rank.install();
             while let Some((question, stop)) = own.wait() {
                 let done = catch_unwind(AssertUnwindSafe(|| work(question, &stop)));
                 if done.is_err() {
@@ -157,7 +157,7 @@ impl<Q: Send + 'static> Desk<Q> {
     }
 
     /// What is worked on from now on ends as soon as something newer comes.
-    pub(super) fn hurry(&self) {
+    pub(super) fn interrupt_for_newer(&self) {
         if let Some(running) = &mut self.lock().running {
             running.patient = false;
         }

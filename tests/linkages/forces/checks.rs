@@ -156,12 +156,12 @@ fn sensitivities_agree_with_differences() {
             let at = |x: f64| {
                 let mut changed = linkage.clone();
                 change(&mut changed, x);
-                solve(&changed, kind, data, motion).1.drive()
+                solve(&changed, kind, data, motion).1.driver_force()
             };
             (at(h) - at(-h)) / (2.0 * h)
         };
         let near = |name: &str, index: usize, found: f64, wanted: f64| {
-            let limit = 1e-6 * (1.0 + wanted.abs() + w.drive().abs());
+            let limit = 1e-6 * (1.0 + wanted.abs() + w.driver_force().abs());
             assert!(
                 (found - wanted).abs() < limit,
                 "{kind} {name}{index} {motion:?}: {found} {wanted}"
@@ -200,7 +200,8 @@ fn sensitivity_of_a_frictionless_pair() {
         let found = solver.sensitivities(&mut w).unwrap().friction[2];
         let mut changed = linkage.clone();
         changed.pairs[2].friction = 1e-7;
-        let wanted = (solve(&changed, &kind, &data, motion).1.drive() - w.drive()) / 1e-7;
+        let wanted =
+            (solve(&changed, &kind, &data, motion).1.driver_force() - w.driver_force()) / 1e-7;
         assert!(
             (found - wanted).abs() < 1e-4 * (1.0 + wanted.abs()),
             "{kind}: {found} {wanted}"
@@ -239,7 +240,9 @@ fn loads_on_outputs_are_forces() {
         other
             .solve(&positions, motion, &Options::default(), &mut v)
             .unwrap();
-        assert!((w.drive() - v.drive()).abs() < 1e-11 * (1.0 + w.drive().abs()));
+        assert!(
+            (w.driver_force() - v.driver_force()).abs() < 1e-11 * (1.0 + w.driver_force().abs())
+        );
         let (one, two) = (solver.balance(&w), other.balance(&v));
         assert!((one.forces - two.forces).abs() < 1e-9 * (1.0 + one.forces.abs()));
         assert!(two.residual < 1e-10);
@@ -301,7 +304,7 @@ fn bad_numbers_are_refused() {
             acceleration,
         };
         let solved = solver.solve(&positions, motion, &Options::default(), w);
-        solved.map(|_| w.drive()).unwrap()
+        solved.map(|_| w.driver_force()).unwrap()
     };
     for acceleration in [3.0, -3.0] {
         let at_rest = start(acceleration, 0.0, &mut w);

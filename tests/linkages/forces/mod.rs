@@ -93,10 +93,12 @@ fn quantities(case: &Value, expected: &Value, own: bool) -> Vec<(String, f64, f6
             found.sign,
             number(&expected["sign_i_plus"]),
         ),
-        ("M1".to_owned(), w.drive(), number(&expected["M1"])),
+        ("M1".to_owned(), w.driver_force(), number(&expected["M1"])),
         (
             "chi".to_owned(),
-            found.dynamic_ratio(w.drive(), Convention::Paper).unwrap(),
+            found
+                .dynamic_ratio(w.driver_force(), Convention::Paper)
+                .unwrap(),
             number(&expected["chi"]),
         ),
         ("loss".to_owned(), balance.loss, number(&expected["loss_W"])),
@@ -136,7 +138,7 @@ fn strong_friction() {
                     "{angle}: {found} {wanted}"
                 );
             };
-            near(w.drive(), number(&expected["M1"]), 300.0);
+            near(w.driver_force(), number(&expected["M1"]), 300.0);
             near(solver.balance(&w).loss, number(&expected["loss_W"]), 3000.0);
             let corners = two(&solver, 3, &w);
             for k in 0..2 {
@@ -212,7 +214,7 @@ fn two_solutions_are_pointed_out() {
         solved.solutions,
         2,
         "{:?} {:?}",
-        w.drive(),
+        w.driver_force(),
         w.other_drives()
     );
 }

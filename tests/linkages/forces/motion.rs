@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 fn acceleration_is_the_inverse_of_the_driving_force() {
     each(|kind, data, linkage, motion| {
         let (solver, mut w) = solve(linkage, kind, data, motion);
-        let drive = w.drive();
+        let drive = w.driver_force();
         let reaction = solver.reaction(2, &w);
         let (positions, _) = known(kind, data, motion.coordinate);
         let (q, v) = (motion.coordinate, motion.speed);
@@ -77,7 +77,7 @@ fn accelerations_under_strong_friction() {
                         .other_drives()
                         .iter()
                         .copied()
-                        .chain([v.drive()])
+                        .chain([v.driver_force()])
                         .collect(),
                     Err(_) => Vec::new(),
                 }
@@ -132,7 +132,7 @@ fn friction_holds_at_rest() {
                 ..Options::default()
             };
             solver.solve(&positions, motion, &options, w).unwrap();
-            w.drive()
+            w.driver_force()
         };
         let (low, high) = (threshold(-1.0, &mut w), threshold(1.0, &mut w));
         assert!(low < high, "{kind}");

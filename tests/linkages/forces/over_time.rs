@@ -45,7 +45,7 @@ fn forces_and_couples_over_time_go_through_the_pairs() {
         // Nothing has mass: the drive does what the loads take.
         approx::assert_abs_diff_eq!(forces.drive, -force * slope - couple, epsilon = 1e-6);
         for pair in pairs {
-            let size = forces.pairs[pair].size();
+            let size = forces.pairs[pair].greatest_force();
             approx::assert_abs_diff_eq!(size, force.abs() / cosine, epsilon = 1e-6);
         }
     }

@@ -62,7 +62,7 @@ fn a_constant_force_of_a_strut_is_borne_by_pin_and_driver() {
         let found = solver.solve(&place, motion, &Options::default(), &mut w);
         found.expect("a solution");
         let part = linkage.force_part(0, &place);
-        (w.drive(), solver.reaction(0, &w), part.potential)
+        (w.driver_force(), solver.reaction(0, &w), part.potential)
     };
     for q in [0.4, -1.1, 2.5] {
         let (drive, reaction, potential) = at(&spec, q, 3.0);
@@ -120,7 +120,7 @@ fn a_strut_whose_ends_meet_has_no_force() {
         };
         let found = solver.solve(&place, motion, &Options::default(), &mut w);
         found.expect("a solution");
-        assert_eq!(w.drive(), 0.0);
+        assert_eq!(w.driver_force(), 0.0);
         assert_eq!(solver.reaction(0, &w), Reaction::Pin([0.0; 2]));
         let part = linkage.force_part(0, &place);
         assert_eq!((part.potential[1], part.damping[0]), (0.0, 0.0));

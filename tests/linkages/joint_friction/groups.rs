@@ -249,7 +249,7 @@ fn group_inertia(system: &System, text: &str) -> f64 {
     let outputs = &linkage.spec().outputs;
     let slide = outputs.iter().position(|output| output.name == "slide");
     let slide = linkage.output(slide.expect("the slide"), &at).first;
-    let crank = linkage.reduced(&at).inertia[0] + 0.4 * (2.0 * slide).powi(2);
+    let crank = linkage.reduced_linkage(&at).inertia[0] + 0.4 * (2.0 * slide).powi(2);
     assert_eq!(system.model().linkages.len(), 2);
     0.03 + 0.25 * crank + 0.16 * 0.3
 }

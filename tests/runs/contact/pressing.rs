@@ -80,7 +80,7 @@ fn of_an_elastic_follower_it_follows_its_contact_force() {
         let forces = column("valve", Quantity::ContactForce);
         let sampled = mechanism.cam(&CamQuestion::default(), |found| {
             let pressure = |(&angle, &force): (&f64, &f64)| {
-                let (piece, phi) = found.cam.motion().locate(angle);
+                let (piece, phi) = found.cam.motion().piece_at(angle);
                 let state = found.cam.at(piece, phi);
                 found.cam.pressure(&state, force / state.lever).unwrap()
             };
@@ -148,7 +148,7 @@ fn the_stiffness_on_a_cam_is_that_of_its_radii() {
                 .unwrap();
             let [radius, arm] = mechanism
                 .cam(&CamQuestion::default(), |found| {
-                    let (piece, phi) = found.cam.motion().locate(angle.to_radians());
+                    let (piece, phi) = found.cam.motion().piece_at(angle.to_radians());
                     let state = found.cam.at(piece, phi);
                     [state.profile_radius, state.lever]
                 })

@@ -170,7 +170,11 @@ fn scene(carrier: &str, damping: f64) -> dam::scene::TypedScene {
             "inputs": {{ "cam": {{ "object": "m" }}, "carrier": {{ "object": "c" }} }} }}"#
     );
     let run = r#""duration": 1.5, "start": "on_law", "tolerance": 1e-11"#;
-    read(&document(&objects, run, Registry::standard().with(KIND)))
+    read(&document(
+        &objects,
+        run,
+        Registry::standard().with_kind(KIND),
+    ))
 }
 
 /// Two free coordinates: T + V is kept, with T = ½(J_m·φ̇_m² + J_c·φ̇_c² + J·φ̇²) and

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 fn registry() -> Registry {
-    Registry::standard().with(KIND)
+    Registry::standard().with_kind(KIND)
 }
 
 const RIGID: &str = r#""crank": { "kind": "drive", "motion": { "speed": 4, "angle": 3.1 } },

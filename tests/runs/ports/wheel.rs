@@ -87,7 +87,7 @@ impl Object for GenevaWheel {
     }
 
     fn ports(&self) -> Ports {
-        Ports::driven(Coordinate::Turning)
+        Ports::with_one_driver(Coordinate::Turning)
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {

@@ -1,7 +1,7 @@
 //! Flywheels against textbooks and against the steady motion itself.
 
 use super::machines::{machine, number, question, reference};
-use dam::steady::{FunctionKind, Mean, Profile, Question, flywheel, steady};
+use dam::steady::{FunctionKind, Mean, Profile, Question, find_steady_motion, flywheel};
 use std::f64::consts::TAU;
 
 #[test]
@@ -15,7 +15,7 @@ fn flywheels_of_a_textbook() {
         mean: Mean::Midrange,
         ..Question::new(speed)
     };
-    let motion = steady(&profile, &question).unwrap();
+    let motion = find_steady_motion(&profile, &question).unwrap();
     let rpm = |speed: f64| (speed / turns).round();
     assert_eq!(rpm(motion.figures.greatest_speed.value), 121.0);
     assert_eq!(rpm(motion.figures.least_speed.value), 119.0);
@@ -27,7 +27,7 @@ fn flywheels_of_a_textbook() {
     let at = &mut |_: usize, phi: f64| [1e-3, 0.5 * fluctuation * phi.sin()];
     let profile = Profile::new(TAU, &[], FunctionKind::Work, at).unwrap();
     let question = Question::new(speed);
-    let (wheel, _) = flywheel::size(&profile, &question, 0.01).unwrap();
+    let (wheel, _) = flywheel::size_flywheel(&profile, &question, 0.01).unwrap();
     assert!(wheel.fluctuation_without.is_none());
     assert!((wheel.inertia / 4.0 - 5629.0).abs() < 1.0, "{wheel:?}");
 }
@@ -39,7 +39,7 @@ fn the_flywheel_of_the_press_is_exact_and_tangents_are_for_their_own_mean() {
     let profile = machine(case).profile().unwrap();
     for (mean, exact) in [(Mean::Midrange, true), (Mean::Time, false)] {
         let question = question(case, mean);
-        let (wheel, motion) = flywheel::size(&profile, &question, 0.1).unwrap();
+        let (wheel, motion) = flywheel::size_flywheel(&profile, &question, 0.1).unwrap();
         approx::assert_relative_eq!(wheel.fluctuation_with, 0.1, max_relative = 1e-9);
         approx::assert_relative_eq!(motion.figures.fluctuation, 0.1, max_relative = 1e-9);
         let expected = number(&case["continuous"][mean.name()]["delta"]);
@@ -52,10 +52,10 @@ fn the_flywheel_of_the_press_is_exact_and_tangents_are_for_their_own_mean() {
         let error = tangents.error.unwrap();
         assert_eq!(error.abs() < 1e-9, exact, "{mean:?}: {error:e}");
         println!("{mean:?}: {wheel:?}");
-        let (none, _) = flywheel::size(&profile, &question, 1.0).unwrap();
+        let (none, _) = flywheel::size_flywheel(&profile, &question, 1.0).unwrap();
         assert_eq!(none.inertia, 0.0);
     }
     for bad in [0.0, -1.0, 2.0, f64::NAN] {
-        assert!(flywheel::size(&profile, &question(case, Mean::Time), bad).is_err());
+        assert!(flywheel::size_flywheel(&profile, &question(case, Mean::Time), bad).is_err());
     }
 }

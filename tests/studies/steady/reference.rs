@@ -3,7 +3,7 @@
 //! quadrature), against closed forms and against textbooks.
 
 use super::machines::{Worst, machine, number, question, reference};
-use dam::steady::{FunctionKind, Mean, Profile, Question, Refusal, Table, steady};
+use dam::steady::{FunctionKind, Mean, Profile, Question, Refusal, Table, find_steady_motion};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 
@@ -15,7 +15,7 @@ fn functions_give_the_reference_to_nine_digits() {
         for mean in Mean::ALL {
             let expected = &case["continuous"][mean.name()];
             let id = format!("{} {}", case["id"], mean.name());
-            let found = steady(&profile, &question(case, mean));
+            let found = find_steady_motion(&profile, &question(case, mean));
             if expected["feasible"] == false {
                 let Err(Refusal::TooSlow { lowest, .. }) = found else {
                     panic!("{id}: {found:?}");
@@ -110,7 +110,7 @@ fn tables_give_the_reference_to_eleven_digits() {
         for mean in Mean::ALL {
             let expected = &case["sampled"][mean.name()];
             let id = format!("{} {}", case["id"], mean.name());
-            let found = table.steady(&question(case, mean));
+            let found = table.find_steady_motion(&question(case, mean));
             if expected["feasible"] == false {
                 let Err(Refusal::TooSlow { lowest, .. }) = found else {
                     panic!("{id}: {found:?}");
@@ -195,7 +195,7 @@ fn tables_almost_at_a_stop_keep_eleven_digits_by_every_mean() {
                 mean,
                 ..Question::new(mean_speed)
             };
-            let found = table.steady(&question).unwrap().figures.steady;
+            let found = table.find_steady_motion(&question).unwrap().figures.steady;
             approx::assert_relative_eq!(found.least_speed.value, low, max_relative = 1e-11);
             approx::assert_relative_eq!(found.greatest_speed.value, high, max_relative = 1e-13);
         }
@@ -207,7 +207,7 @@ fn accelerations_of_a_smooth_table_are_those_of_the_functions() {
     let file = reference();
     let case = &file["cases"][0];
     let rows = table(case)
-        .steady(&question(case, Mean::Time))
+        .find_steady_motion(&question(case, Mean::Time))
         .unwrap()
         .rows();
     let expected = case["continuous"]["time"]["profile"].as_array().unwrap();
@@ -233,7 +233,7 @@ fn failures_are_refused_in_their_words() {
         Table::new(TAU, &positions, &inertia, &work)
     };
     let open = closed(&failures[0]).unwrap();
-    let refusal = open.steady(&Question::new(10.0)).unwrap_err();
+    let refusal = open.find_steady_motion(&Question::new(10.0)).unwrap_err();
     assert!(
         matches!(refusal, Refusal::Surplus { work: 5.0, .. }),
         "{refusal:?}"
@@ -244,7 +244,7 @@ fn failures_are_refused_in_their_words() {
         balance: true,
         ..Question::new(10.0)
     };
-    let motion = open.steady(&balanced).unwrap();
+    let motion = open.find_steady_motion(&balanced).unwrap();
     let moment = motion.figures.steady.balance.unwrap();
     approx::assert_relative_eq!(moment, -5.0 / TAU, max_relative = 1e-15);
     let refusal = closed(&failures[1]).unwrap_err();
@@ -267,7 +267,7 @@ fn bad_numbers_are_refused_by_their_field_all_at_once() {
             tolerance: 0.0,
             ..Question::new(speed)
         };
-        let Err(Refusal::Input { faults }) = steady(&profile, &question) else {
+        let Err(Refusal::Input { faults }) = find_steady_motion(&profile, &question) else {
             panic!("{speed} passed");
         };
         let fields: Vec<&str> = faults.iter().map(|fault| fault.field.as_str()).collect();
@@ -316,7 +316,7 @@ fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
     let at = &mut |_: usize, phi: f64| [inertia, work * phi.cos()];
     let profile = Profile::new(TAU, &[], FunctionKind::Moment, at).unwrap();
     for speed in [10.0, 5.0, 3.0, 1.5, 1.0] {
-        let motion = steady(&profile, &Question::new(speed)).unwrap();
+        let motion = find_steady_motion(&profile, &Question::new(speed)).unwrap();
         let start = motion.figures.energy_at_start;
         // K by the arithmetic-geometric mean; 1 − m from the least energy, which
         // start − work has no digits of.
@@ -339,7 +339,7 @@ fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
         assert!(check.speed.abs() < 1e-11, "{speed}: {check:?}");
         assert!(check.period.abs() < 1e-9, "{speed}: {check:?}");
     }
-    let refusal = steady(&profile, &Question::new(0.1)).unwrap_err();
+    let refusal = find_steady_motion(&profile, &Question::new(0.1)).unwrap_err();
     assert!(
         matches!(
             refusal,
@@ -358,7 +358,7 @@ fn a_corner_of_the_work_gives_the_mean_over_time_a_lowest_value() {
     let moment = 3.0;
     let at = &mut |piece: usize, _: f64| [1.0, if piece == 0 { -moment } else { moment }];
     let profile = Profile::new(TAU, &[PI], FunctionKind::Moment, at).unwrap();
-    let refusal = steady(&profile, &Question::new(1.0)).unwrap_err();
+    let refusal = find_steady_motion(&profile, &Question::new(1.0)).unwrap_err();
     let Refusal::TooSlow {
         lowest, position, ..
     } = refusal
@@ -372,7 +372,7 @@ fn a_corner_of_the_work_gives_the_mean_over_time_a_lowest_value() {
         max_relative = 1e-8
     );
     approx::assert_relative_eq!(position, PI, max_relative = 1e-12);
-    let motion = steady(&profile, &Question::new(1.01 * lowest)).unwrap();
+    let motion = find_steady_motion(&profile, &Question::new(1.01 * lowest)).unwrap();
     assert!(motion.figures.met);
 }
 
@@ -385,7 +385,7 @@ fn constant_machines_and_long_cycles_are_no_special_case() {
             mean,
             ..Question::new(7.0)
         };
-        let motion = steady(&profile, &question).unwrap();
+        let motion = find_steady_motion(&profile, &question).unwrap();
         approx::assert_relative_eq!(motion.figures.energy_at_start, 49.0, max_relative = 1e-12);
         approx::assert_relative_eq!(motion.figures.period, 2.0 * TAU / 7.0, max_relative = 1e-12);
         assert!(motion.figures.fluctuation.abs() < 1e-12);

@@ -20,7 +20,7 @@ mod step;
 mod tableau;
 
 use super::Dynamics;
-use super::pace::{CAUTION, towards};
+use super::pace::{CAUTION, step_towards};
 use super::run::{Run, StepInterpolant, Verdict};
 use newton::Stages;
 use std::sync::OnceLock;
@@ -36,7 +36,7 @@ const RESOLVED: f64 = 1e-7;
 const UNRESOLVED: f64 = -1.0 / 3.0;
 
 /// The estimated error allowed.
-fn allowed(tolerance: f64) -> f64 {
+fn allowed_error(tolerance: f64) -> f64 {
     SAFETY * effective_tolerance(tolerance)
 }
 
@@ -161,12 +161,12 @@ impl<const S: usize, const L: usize> Radau<S, L> {
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let mut again = false;
             let (length, error) = loop {
-                let length = towards(target - time, wanted.min(longest));
+                let length = step_towards(target - time, wanted.min(longest));
                 if length <= floor {
                     run.end_at_floor(length);
                     return;
                 }
-                let factor = match self.attempt(run, length) {
+                let factor = match self.attempt_step(run, length) {
                     Attempt::Error(error) if error <= 1.0 => break (length, error),
                     Attempt::Error(error) => {
                         let order = if again || self.stages.is_first() {
@@ -193,7 +193,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
                     wanted = shorter;
                     continue;
                 }
-                Verdict::Continue if !lands => wanted = length * self.growth(length, error),
+                Verdict::Continue if !lands => wanted = length * self.step_factor(length, error),
                 _ => return,
             }
             self.stages.keep_stages(length);
@@ -202,13 +202,13 @@ impl<const S: usize, const L: usize> Radau<S, L> {
 
     fn foresee<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Option<Vec<f64>> {
         self.stages.forget_stages();
-        let attempt = self.attempt(run, length);
+        let attempt = self.attempt_step(run, length);
         matches!(attempt, Attempt::Error(error) if error <= 1.0).then(|| self.y.clone())
     }
 
     /// Factor on the step after one of a certain error was accepted; the
     /// predictive control of K. Gustafsson (1994).
-    fn growth(&mut self, length: f64, error: f64) -> f64 {
+    fn step_factor(&mut self, length: f64, error: f64) -> f64 {
         let exponent = 1.0 / (S + 1) as f64;
         let error = error.max(1e-12);
         let mut factor = CAUTION * error.powf(-exponent);

@@ -94,9 +94,9 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         }
         let dynamics = run.evaluator.dynamics;
         for (index, (size, y)) in self.sizes.iter_mut().zip(&run.from.y).enumerate() {
-            *size = 1.0 / (tolerance * dynamics.size(index, *y));
+            *size = 1.0 / (tolerance * dynamics.error_size(index, *y));
         }
-        self.iterate(run, length)
+        self.iterate_stages(run, length)
     }
 
     /// First approximation: the accelerations of the last step continued, or that
@@ -176,7 +176,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         self.matrix.factorise(entries)
     }
 
-    fn iterate<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> bool {
+    fn iterate_stages<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> bool {
         let mut before = f64::INFINITY;
         for iteration in 0..ITERATIONS {
             self.defects(run, length);
@@ -234,7 +234,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         self.matrix.solve(&mut self.unknowns);
         let mut sum = 0.0;
         for k in 0..count {
-            let parts = parts(&self.unknowns[k]);
+            let parts = real_parts(&self.unknowns[k]);
             let change = times(&tableau.eigenvectors, &parts);
             let once = times(&tableau.once_eigenvectors, &parts);
             let twice = times(&tableau.twice_eigenvectors, &parts);
@@ -264,7 +264,7 @@ fn lanes<const S: usize, const L: usize>(parts: &[f64; S]) -> Lanes<L> {
 }
 
 #[inline(always)]
-fn parts<const S: usize, const L: usize>(lanes: &Lanes<L>) -> [f64; S] {
+fn real_parts<const S: usize, const L: usize>(lanes: &Lanes<L>) -> [f64; S] {
     let mut out = [0.0; S];
     out[0] = lanes.re[0];
     for l in 1..L {

@@ -1,15 +1,15 @@
 //! A step from its stages: the new state, its error, the continuous output.
 
 use super::newton::Stages;
-use super::{Attempt, Radau, allowed};
+use super::{Attempt, Radau, allowed_error};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::integrate::run::Run;
 use crate::math::linear::{Entry, Lanes};
 
 impl<const S: usize, const L: usize> Radau<S, L> {
     /// One step of a length: the new state and its derivative.
-    pub(super) fn attempt<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Attempt {
-        let tolerance = allowed(run.tolerance());
+    pub(super) fn attempt_step<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Attempt {
+        let tolerance = allowed_error(run.tolerance());
         if !self.stages.solve(run, length, tolerance) {
             return Attempt::NotConverged;
         }

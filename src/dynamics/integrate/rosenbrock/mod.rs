@@ -11,7 +11,7 @@ mod tableau;
 
 use super::Dynamics;
 use super::jacobian::Jacobian;
-use super::pace::{CAUTION, towards};
+use super::pace::{CAUTION, step_towards};
 use super::run::{Run, Verdict};
 use crate::math::linear::SparseLu;
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
@@ -85,17 +85,18 @@ impl Stepper {
             let (time, target) = (run.from.time, run.target);
             self.jacobian.evaluate(run.evaluator, time, &run.from.y);
             if !run.evaluator.dynamics.is_autonomous() {
-                run.evaluator.time_tangent(time, &run.from.y, &mut self.dy);
+                run.evaluator
+                    .derivative_by_time(time, &run.from.y, &mut self.dy);
                 self.time.copy_from_slice(&self.dy[self.dy.len() / 2..]);
             }
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let (length, error) = loop {
-                let length = towards(target - time, wanted.min(longest));
+                let length = step_towards(target - time, wanted.min(longest));
                 if length <= floor {
                     run.end_at_floor(length);
                     return;
                 }
-                let error = self.attempt(run, length);
+                let error = self.attempt_step(run, length);
                 if error <= 1.0 {
                     break (length, error);
                 }
@@ -105,11 +106,11 @@ impl Stepper {
                 // Not a number, or a step out of all proportion: well back.
                 wanted = length * if factor > SHORTEST { factor } else { SHORTEST };
             };
-            wanted = length * self.growth(length, error);
+            wanted = length * self.step_factor(length, error);
             let lands = length >= target - time;
             let time = if lands { target } else { time + length };
             self.interpolate(&run.from.y);
-            let verdict = run.accept(time, &self.y, &self.dy, Some(&self.middle));
+            let verdict = run.accept_step(time, &self.y, &self.dy, Some(&self.middle));
             if lands || verdict != Verdict::Continue {
                 return;
             }
@@ -119,7 +120,7 @@ impl Stepper {
     /// Factor on the step after one of a certain error was accepted; the
     /// predictive control of K. Gustafsson (1994): where the error has grown
     /// from the last step to this one, it will go on to grow.
-    fn growth(&mut self, length: f64, error: f64) -> f64 {
+    fn step_factor(&mut self, length: f64, error: f64) -> f64 {
         let error = error.max(1e-8);
         let mut factor = CAUTION * error.powf(-EXPONENT);
         if let Some((before, then)) = self.last {
@@ -132,7 +133,7 @@ impl Stepper {
 
     /// One step of a length: the new state and its derivative; returns the
     /// error in units of what is allowed, not a number where it came to that.
-    fn attempt<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> f64 {
+    fn attempt_step<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> f64 {
         let kappa = 1.0 / (GAMMA * length);
         if !self.factorise(kappa) {
             return f64::NAN;
@@ -207,7 +208,7 @@ impl Stepper {
         let errors = &self.stages[(STAGES - 1) * width..];
         let dynamics = run.evaluator.dynamics;
         let squares = (0..width).map(|i| {
-            let size = dynamics.size(i, self.y[i].abs().max(run.from.y[i].abs()));
+            let size = dynamics.error_size(i, self.y[i].abs().max(run.from.y[i].abs()));
             (errors[i] / (tolerance * size)).powi(2)
         });
         (squares.sum::<f64>() / width as f64).sqrt()

@@ -22,13 +22,13 @@ const AHEAD: f64 = 1e4;
 
 impl<D: Dynamics> Run<'_, D> {
     /// What the clock resolves (s).
-    fn clock(&self) -> f64 {
+    fn resolution_of_time(&self) -> f64 {
         4.0 * f64::EPSILON * self.from.time.abs().max(self.target.abs())
     }
 
     /// Passes the edge of a piece by a short step; true when the run has got on.
     pub(in crate::dynamics::integrate) fn passes_edge(&mut self) -> bool {
-        let (time, clock) = (self.from.time, self.clock());
+        let (time, clock) = (self.from.time, self.resolution_of_time());
         if !self.evaluator.dynamics.has_edges() {
             return false;
         }
@@ -42,7 +42,7 @@ impl<D: Dynamics> Run<'_, D> {
         let Some((length, y, dy)) = self.short_step(LEAST * clock) else {
             return false;
         };
-        let verdict = self.accept(time + length, &y, &dy, None);
+        let verdict = self.accept_step(time + length, &y, &dy, None);
         // (At a change at its very start the time is the same.)
         verdict == Verdict::Restart || verdict == Verdict::Continue && self.from.time > time
     }
@@ -62,7 +62,7 @@ impl<D: Dynamics> Run<'_, D> {
             let exact = (0..y.len()).all(|index| {
                 let change = length * (dy[index] - from.dy[index]);
                 y[index] += 0.5 * change;
-                change.abs() <= allowed * self.evaluator.dynamics.size(index, y[index])
+                change.abs() <= allowed * self.evaluator.dynamics.error_size(index, y[index])
             });
             if !exact {
                 break;
@@ -75,7 +75,7 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// The end of the run at a pole just ahead.
     pub(in crate::dynamics::integrate) fn pole_ahead(&self) -> Option<PhysicalStop> {
-        let span = [self.from.time, AHEAD * self.clock()];
+        let span = [self.from.time, AHEAD * self.resolution_of_time()];
         self.evaluator.pole_near(span, &self.from.y, &self.from.dy)
     }
 

@@ -69,7 +69,8 @@ impl<D: Dynamics> Run<'_, D> {
         let end = found.map_or(1.0, |found| found.s);
         let step = self.output.step(1.0);
         let modes = self.evaluator.modes.borrow();
-        let Some((s, watch)) = dynamics.crossing(&step, &modes, end, self.fresh, &self.resting)
+        let Some((s, watch)) =
+            dynamics.first_crossing(&step, &modes, end, self.fresh, &self.resting)
         else {
             return found;
         };
@@ -100,7 +101,7 @@ impl<D: Dynamics> Run<'_, D> {
             let high = (s, self.value(probe, s, y));
             // It may have been positive in between.
             if let Some([a, b]) = before.map(|before| [before, low])
-                && let Some(s) = summit([a, b, high])
+                && let Some(s) = parabola_vertex([a, b, high])
                 && self.value(probe, s, y) > 0.0
             {
                 let low = if s > b.0 { b.0 } else { a.0 };
@@ -144,7 +145,7 @@ impl<D: Dynamics> Run<'_, D> {
 
 /// Where a parabola through three places has its summit, if it lies between them and
 /// may reach above zero while the first two are below.
-fn summit(points: [(f64, f64); 3]) -> Option<f64> {
+fn parabola_vertex(points: [(f64, f64); 3]) -> Option<f64> {
     let [(_, fa), (b, fb), (_, fc)] = points;
     if !(fa <= 0.0 && fb <= 0.0) {
         return None;

@@ -19,7 +19,7 @@ const AT_ONCE: f64 = 4.0;
 
 impl<D: Dynamics> Run<'_, D> {
     /// The step up to a switch, and the switch.
-    pub(super) fn cut(&mut self, found: LocatedEvent) -> Verdict {
+    pub(super) fn switch_within_step(&mut self, found: LocatedEvent) -> Verdict {
         let watch = self.watch(found);
         let step = self.output.step(found.s);
         let stretch = Stretch {
@@ -72,7 +72,7 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    /// Counts a switch that [`Dynamics::crossing`] found; the stop of a run that does
+    /// Counts a switch that [`Dynamics::first_crossing`] found; the stop of a run that does
     /// not get on for them.
     fn count_crossing(&mut self, time: f64) -> Option<Stop> {
         let (count, since) = self.crossings;

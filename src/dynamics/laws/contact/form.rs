@@ -45,7 +45,7 @@ impl Default for ContactForm {
 impl ContactForm {
     /// In series with an undamped link. (Of a proportional force that link has the stiffness
     /// of both.)
-    pub(crate) fn before(mut self, behind: f64) -> Self {
+    pub(crate) fn in_series_with_link(mut self, behind: f64) -> Self {
         if let Self::Power { compliance, .. } = &mut self {
             *compliance += behind;
         }

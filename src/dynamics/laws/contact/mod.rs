@@ -50,28 +50,28 @@ pub struct ContactForceLaw {
 
 impl ContactForceLaw {
     /// The form of its force as far as that does not depend on its numbers.
-    fn nominal(&self) -> ContactForm {
+    fn nominal_form(&self) -> ContactForm {
         (self.form)(&[1.0; MOST]).0
     }
 
     /// True when the force is linear in p and ṗ, whatever the numbers are.
     pub(crate) fn is_linear(&self) -> bool {
-        self.nominal().is_linear()
+        self.nominal_form().is_linear()
     }
 
     /// True when it has no stiffness.
     pub(crate) fn is_rigid(&self) -> bool {
-        self.nominal().restitution().is_some()
+        self.nominal_form().restitution().is_some()
     }
 
     /// True when its stiffness is that of a power of the indentation.
-    pub(crate) fn is_of_power(&self) -> bool {
-        matches!(self.nominal(), ContactForm::Power { .. })
+    pub(crate) fn has_power_stiffness(&self) -> bool {
+        matches!(self.nominal_form(), ContactForm::Power { .. })
     }
 
     /// True when its force is that of a contact in a point, whatever the numbers are.
     pub(crate) fn is_of_point(&self) -> bool {
-        self.nominal().exponent() == 1.5
+        self.nominal_form().exponent() == 1.5
     }
 }
 
@@ -92,7 +92,7 @@ impl PartialEq for ContactLaw {
 impl ContactLaw {
     /// The law of a key with its numbers, in their order; `None`: there is no such law, or it
     /// has another count of numbers.
-    pub fn named(key: &str, values: &[f64]) -> Option<Self> {
+    pub fn law_of_key(key: &str, values: &[f64]) -> Option<Self> {
         let law = CONTACT_LAWS.into_iter().find(|law| law.key == key)?;
         (values.len() == law.parameters.len()).then(|| Self::new(law, values.iter().copied()))
     }
@@ -124,7 +124,7 @@ impl ContactLaw {
     /// with it, where its force is a power of the indentation.
     pub fn of_link(&self, compliance: f64) -> (ContactForm, f64) {
         let (form, damping) = (self.law.form)(&self.values);
-        (form.before(compliance), damping)
+        (form.in_series_with_link(compliance), damping)
     }
 
     /// The form of its force.

@@ -44,7 +44,7 @@ impl PowerForce {
     }
 
     /// This contact with a link of a compliance behind it.
-    pub(crate) fn before(self, compliance: f64) -> Self {
+    pub(crate) fn in_series_with_compliance(self, compliance: f64) -> Self {
         let compliance = self.compliance + compliance;
         Self { compliance, ..self }
     }

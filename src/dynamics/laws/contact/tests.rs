@@ -18,14 +18,14 @@ fn what_a_law_declares_is_what_its_form_is() {
         assert_eq!(declared.is_linear(), form.is_linear(), "{}", declared.key);
         assert_eq!(declared.is_rigid(), law.is_rigid(), "{}", declared.key);
         let of_power = matches!(form, ContactForm::Power { .. });
-        assert_eq!(declared.is_of_power(), of_power, "{}", declared.key);
+        assert_eq!(declared.has_power_stiffness(), of_power, "{}", declared.key);
         assert!(declared.parameters.len() <= MOST, "{}", declared.key);
         let loses = !declared.parameters.is_empty();
         assert_eq!(law.is_lossless(), !loses, "{}", declared.key);
         let numbers: Vec<f64> = law.parameters().map(|(_, value)| value).collect();
-        assert_eq!(ContactLaw::named(declared.key, &numbers), Some(law));
+        assert_eq!(ContactLaw::law_of_key(declared.key, &numbers), Some(law));
     }
-    assert_eq!(ContactLaw::named("hertz", &[]), None);
+    assert_eq!(ContactLaw::law_of_key("hertz", &[]), None);
 }
 
 /// What a law says of its force agrees with its form. The words are written for people, here

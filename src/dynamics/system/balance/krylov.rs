@@ -50,7 +50,7 @@ impl Frozen {
         let mut right = DVector::from_column_slice(miss);
         self.sum_up(&mut right);
         let step = gmres(&mut product, &right)?;
-        let scale = scale(&right);
+        let scale = safe_divisor(&right);
         let residual = ((product(&step) - &right) / scale).norm();
         (residual <= FOUND * (right / scale).norm()).then_some(step)
     }
@@ -74,7 +74,7 @@ impl Frozen {
 }
 
 /// What a vector is divided by so that the square of its length does not overflow.
-fn scale(vector: &DVector<f64>) -> f64 {
+fn safe_divisor(vector: &DVector<f64>) -> f64 {
     match vector.norm().is_finite() {
         true => 1.0,
         false => vector.amax(),
@@ -87,7 +87,7 @@ fn gmres(
     product: &mut impl FnMut(&DVector<f64>) -> DVector<f64>,
     right: &DVector<f64>,
 ) -> Option<DVector<f64>> {
-    let scale = scale(right);
+    let scale = safe_divisor(right);
     let right = right / scale;
     let size = right.norm();
     if size == 0.0 {

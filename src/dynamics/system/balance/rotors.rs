@@ -47,7 +47,7 @@ impl Frozen {
             return self.follow_rotors(modes, work);
         }
         self.follow_rotors(modes, work);
-        if self.couple(Extent::Full, Chains::Rigid, work) {
+        if self.couple_inertia_forces(Extent::Full, Chains::Rigid, work) {
             self.follow_rotors(modes, work);
         }
     }
@@ -62,7 +62,7 @@ impl Frozen {
                     let rigid = self.rigids[*index];
                     self.reduce_node(rigid.law, rigid.node, work);
                 }
-                Step::Chain(index) if self.rests(*index, modes) => {}
+                Step::Chain(index) if self.lies_on_stop(*index, modes) => {}
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
                     for node in chain.nodes() {
@@ -95,7 +95,7 @@ impl Frozen {
                 }
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
-                    let base = match self.rests(*index, modes) {
+                    let base = match self.lies_on_stop(*index, modes) {
                         true => N::from(0.0),
                         false => self.law_acceleration(chain.law, work),
                     };

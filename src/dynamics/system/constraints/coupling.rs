@@ -45,7 +45,7 @@ impl Frozen {
     /// Takes the inertia forces of constrained nodes into the forces, the accelerations
     /// without them known. True when there are any: then the accelerations are to be
     /// formed anew.
-    pub(in crate::dynamics::system) fn couple<N: Quantity>(
+    pub(in crate::dynamics::system) fn couple_inertia_forces<N: Quantity>(
         &self,
         extent: Extent,
         chains: Chains,

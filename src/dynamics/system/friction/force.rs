@@ -79,7 +79,7 @@ impl Frozen {
         };
         let solver = &member.kinetostatics;
         let mut solved = linkages[member.linkage].borrow_mut();
-        let Some(at) = solved.placed(q.value(), 2) else {
+        let Some(at) = solved.place_linkage(q.value(), 2) else {
             return N::from(f64::NAN);
         };
         let found = match solver.resist(at, &asked, &options, forces) {

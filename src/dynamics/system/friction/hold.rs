@@ -46,7 +46,7 @@ impl Frozen {
                 Some(most) if most != 0.0 => hold / most * limit,
                 // Whatever holds it, a single one holds it alone.
                 _ => {
-                    let [ratio, _] = self.along(member, N::from(0.0), work);
+                    let [ratio, _] = self.member_ratio(member, N::from(0.0), work);
                     hold / ratio.value() / group.members.len() as f64
                 }
             };
@@ -68,7 +68,7 @@ impl Frozen {
         let mut sum = 0.0;
         let mut locked = false;
         for member in group.members.iter().rev() {
-            let [ratio, _] = self.along(member, N::from(0.0), work);
+            let [ratio, _] = self.member_ratio(member, N::from(0.0), work);
             let direction = match member.direction {
                 Direction::OfRoot(sign) => sign * root,
                 Direction::Own { .. } => sign_of(ratio.value()) * root,

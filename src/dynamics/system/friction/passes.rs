@@ -104,7 +104,12 @@ impl Frozen {
 
     /// Ratio of a member's speed to the root's, and its acceleration where the root
     /// has the acceleration `root`.
-    pub(super) fn along<N: Quantity>(&self, member: &Member, root: N, work: &Work<N>) -> [N; 2] {
+    pub(super) fn member_ratio<N: Quantity>(
+        &self,
+        member: &Member,
+        root: N,
+        work: &Work<N>,
+    ) -> [N; 2] {
         let (mut ratio, mut acceleration) = (N::from(1.0), root);
         for &law in &member.path {
             let values = &work.laws[law];
@@ -138,7 +143,7 @@ impl Frozen {
         modes: &[i64],
         work: &Work<N>,
     ) -> LinkageMotion<N> {
-        let [ratio, acceleration] = self.along(member, root, work);
+        let [ratio, acceleration] = self.member_ratio(member, root, work);
         let speed = work.speed[member.node];
         let (mobility, free) = match group.component {
             Some(_) => {
@@ -193,7 +198,7 @@ impl Frozen {
                 let force = self.friction(member, &moving, false, work);
                 work.rubbing[member.linkage].force = force;
                 self.push(member, force - before, work);
-                let [ratio, _] = self.along(member, root, work);
+                let [ratio, _] = self.member_ratio(member, root, work);
                 let share = ratio.value().abs();
                 change = change.max(share * (force - before).value().abs());
                 size = size.max(share * force.value().abs());

@@ -39,18 +39,19 @@ impl Group {
     }
 
     /// Components of the sides on which pairs press.
-    fn sides(&self) -> impl Iterator<Item = usize> + '_ {
+    fn side_components(&self) -> impl Iterator<Item = usize> + '_ {
         self.members.iter().filter_map(|member| member.sides)
     }
 
     /// The first of them, where they are to be watched.
     pub(super) fn pressing(&self, modes: &[i64]) -> Option<usize> {
-        self.sides().next().filter(|_| self.moves(modes))
+        self.side_components().next().filter(|_| self.moves(modes))
     }
 
     /// True where some pairs press as they turn out.
     fn is_open(&self, modes: &[i64]) -> bool {
-        self.sides().any(|component| modes[component] == OPEN)
+        self.side_components()
+            .any(|component| modes[component] == OPEN)
     }
 }
 
@@ -84,7 +85,7 @@ impl Frozen {
         if group.is_open(modes) {
             return 1.0;
         }
-        self.forces(time, state, modes, work);
+        self.forces_without_friction(time, state, modes, work);
         self.add_friction(state, modes, Extent::Full, work);
         let members = group.members.iter();
         let margins = members.filter_map(|member| {
@@ -97,7 +98,7 @@ impl Frozen {
 
     /// Lets all pairs press as they turn out, until they are looked at again.
     pub(in crate::dynamics::system) fn open_sides(&self, modes: &mut [i64]) {
-        for component in self.groups.iter().flat_map(Group::sides) {
+        for component in self.groups.iter().flat_map(Group::side_components) {
             modes[component] = OPEN;
         }
     }
@@ -110,18 +111,22 @@ impl Frozen {
         y: &[f64],
         modes: &mut [i64],
     ) {
-        if self.groups.iter().all(|group| group.sides().count() == 0) {
+        if self
+            .groups
+            .iter()
+            .all(|group| group.side_components().count() == 0)
+        {
             return;
         }
         self.open_sides(modes);
         let mut work = Work::new(self);
-        self.forces(time, y, modes, &mut work);
+        self.forces_without_friction(time, y, modes, &mut work);
         self.add_friction(y, modes, Extent::Full, &mut work);
         for group in &self.groups {
             let failed = |member: &Member| work.rubbing[member.linkage].failure.is_some();
             if group.moves(modes) && !group.members.iter().any(failed) {
                 write_sides(group, &work, modes, |kinetostatics, forces, _| {
-                    kinetostatics.sides(forces)
+                    kinetostatics.pressed_sides(forces)
                 });
             }
         }

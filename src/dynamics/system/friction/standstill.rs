@@ -93,7 +93,13 @@ impl Frozen {
     }
 
     /// All forces at a state, friction left out.
-    pub(super) fn forces(&self, time: f64, state: &[f64], modes: &[i64], work: &mut Work<f64>) {
+    pub(super) fn forces_without_friction(
+        &self,
+        time: f64,
+        state: &[f64],
+        modes: &[i64],
+        work: &mut Work<f64>,
+    ) {
         let extent = Extent::Full;
         self.motion(time, state, modes, extent, work);
         self.apply_loads(time, modes, extent, work);
@@ -133,7 +139,7 @@ impl Frozen {
         modes: &[i64],
         work: &mut Work<f64>,
     ) -> [f64; 2] {
-        self.forces(time, state, modes, work);
+        self.forces_without_friction(time, state, modes, work);
         let force = work.force[group.root] + self.link_force(group, state, work);
         [1.0, -1.0].map(|direction| {
             match self.impending(group, direction, modes, work) {
@@ -153,7 +159,7 @@ impl Frozen {
             return;
         }
         for member in &group.members {
-            let [ratio, _] = self.along(member, 0.0, work);
+            let [ratio, _] = self.member_ratio(member, 0.0, work);
             let direction = match member.direction {
                 Direction::OfRoot(sign) => sign * now.sense(),
                 Direction::Own { component, .. } => {
@@ -171,7 +177,7 @@ impl Frozen {
 
 impl System {
     /// Decides what a group that stands does next; takes its speed out of the state.
-    pub(in crate::dynamics::system) fn decide(
+    pub(in crate::dynamics::system) fn decide_on_group(
         &self,
         index: usize,
         time: f64,
@@ -203,7 +209,7 @@ impl System {
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         let several = self.frozen.several.as_ref();
-        if several.is_some_and(|several| several.has(component)) {
+        if several.is_some_and(|several| several.has_component(component)) {
             self.pass_pair(time, y, (component, target), &mut modes.0)?;
             self.frozen.settle_sides(time, y, &mut modes.0);
             return Ok(());
@@ -225,7 +231,7 @@ impl System {
             ProbeAction::Start(_) => {}
         }
         if self.frozen.groups[index].component == Some(component) {
-            self.decide(index, time, y, &mut modes.0)?;
+            self.decide_on_group(index, time, y, &mut modes.0)?;
         } else {
             modes.0[component] = target;
         }
@@ -259,7 +265,7 @@ impl System {
             } else {
                 frozen.set_out(group, StickSlip::Stuck, modes, &work);
                 // An undetermined start ends the run at once, with its reason.
-                let _ = self.decide(index, 0.0, y, modes);
+                let _ = self.decide_on_group(index, 0.0, y, modes);
             }
         }
         self.settle_multi_input_pairs(y, modes);
@@ -273,7 +279,7 @@ impl Frozen {
             let Direction::Own { component, .. } = member.direction else {
                 continue;
             };
-            let [_, acceleration] = self.along(member, work.acceleration[group.root], work);
+            let [_, acceleration] = self.member_ratio(member, work.acceleration[group.root], work);
             let direction = match work.speed[member.node] {
                 0.0 => sign_of(acceleration),
                 speed => speed.signum(),

@@ -19,7 +19,7 @@ impl Frozen {
         modes: &[i64],
         work: &mut Work<f64>,
     ) -> Option<(usize, Obstacle)> {
-        self.forces(time, state, modes, work);
+        self.forces_without_friction(time, state, modes, work);
         self.add_friction(state, modes, Extent::Full, work);
         let link = self.link_force(group, state, work);
         let root = self.root_acceleration(group, link, work);

@@ -54,13 +54,13 @@ impl System {
         let n = frozen.coordinates;
         // What is held is where it is held, whatever an integration has made of that.
         for other in 0..frozen.contacts() {
-            if frozen.contact_of(other).holds(modes[other]) {
+            if frozen.contact_of(other).contact_holds(modes[other]) {
                 frozen.set_on_flank((other, modes[other]), 0.0, (time, modes), y, work);
             }
         }
         frozen.motion(time, y, modes, Extent::Full, work);
         let still = vec![0.0; n];
-        let approach = frozen.approach(contact, y, &still, work)[0];
+        let approach = frozen.approach_rates(contact, y, &still, work)[0];
         if approach < 0.0 {
             // It is going apart: by no more than rounding it was behind its flank.
             frozen.set_on_flank(contact, approach, (time, modes), y, work);
@@ -82,7 +82,7 @@ impl System {
         frozen.set_on_flank(contact, -rate, (time, modes), y, work);
         modes[component] = side;
         let pressing = -frozen.parting(component, time, y, modes, work);
-        let rests = restitution::rests(
+        let rests = restitution::time_of_rest(
             time,
             frozen.size_of(component, y),
             [rate, pressing],
@@ -102,7 +102,7 @@ impl System {
             approach,
             impulse,
             lost: 0.5 * impulse * (approach - rate),
-            drives: impulse * response.work(),
+            drives: impulse * response.work_of_drives(),
             rests,
         }))
     }
@@ -184,9 +184,9 @@ impl System {
             for &side in contact.sides() {
                 let (depth, _) = contact.penetration(side, x, 0.0);
                 if depth > doubt {
-                    faults.push(self.inside(component, depth));
+                    faults.push(self.fault_of_penetration(component, depth));
                 } else if depth >= -doubt {
-                    let rate = frozen.approach((component, side), y, &still, &work)[0];
+                    let rate = frozen.approach_rates((component, side), y, &still, &work)[0];
                     let speeds = noise[frozen.coordinates + place]
                         + work.speed[frozen.node_of(component)].abs();
                     if rate.abs() <= TOUCH * speeds {
@@ -216,7 +216,7 @@ impl System {
         }
     }
 
-    fn inside(&self, component: usize, depth: f64) -> crate::fault::Fault {
+    fn fault_of_penetration(&self, component: usize, depth: f64) -> crate::fault::Fault {
         let is = |part: &usize| self.pair_component(*part) == Some(component);
         let object = (0..self.model.objects.len()).find(is).unwrap_or(0);
         let id = &self.model.objects[object].id;

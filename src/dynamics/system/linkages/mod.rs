@@ -101,7 +101,7 @@ impl LinkageState {
 
     /// The linkage at `q`, its derivatives up to `order`; `None` where it cannot be
     /// assembled.
-    pub(super) fn placed(&mut self, q: f64, order: usize) -> Option<&Workspace> {
+    pub(super) fn place_linkage(&mut self, q: f64, order: usize) -> Option<&Workspace> {
         self.solve_at(q, order);
         self.assembled.then_some(&self.workspace)
     }
@@ -124,7 +124,7 @@ impl LinkageState {
                 return 0.0;
             }
         }
-        let Some(reduced) = self.reduced(q, 2).filter(|_| q.is_finite()) else {
+        let Some(reduced) = self.reduced_linkage(q, 2).filter(|_| q.is_finite()) else {
             return 0.0;
         };
         let [inertia, slope, _] = reduced.inertia;
@@ -159,10 +159,10 @@ impl LinkageState {
     }
 
     /// `None` where it cannot be assembled.
-    fn reduced(&mut self, q: f64, order: usize) -> Option<ReducedLinkage> {
+    fn reduced_linkage(&mut self, q: f64, order: usize) -> Option<ReducedLinkage> {
         self.solve_at(q, order);
         if self.assembled && self.reduced.is_none() {
-            self.reduced = Some(self.linkage.reduced(&self.workspace));
+            self.reduced = Some(self.linkage.reduced_linkage(&self.workspace));
         }
         self.reduced
     }
@@ -171,7 +171,7 @@ impl LinkageState {
 /// J, J′, W and D at a place, and, where the numbers ask for them, their slopes.
 #[inline(always)]
 fn lanes<N: Quantity>(table: &Table, q: f64, cursor: &Cell<Cursor>) -> Option<[Lanes; 2]> {
-    let place = table.locate(q, cursor)?;
+    let place = table.place_of_input(q, cursor)?;
     let slopes = match N::DERIVATIVES > 2 {
         true => table.slopes(place),
         false => [0.0; 4],
@@ -195,7 +195,7 @@ fn with_slope([value, slope]: [f64; 2]) -> [f64; 3] {
 
 /// One of the four with its slope, as far as the numbers ask for it.
 #[inline(always)]
-fn lane<N: Quantity>(q: N, at: &impl Fn(f64) -> [Lanes; 2], index: usize) -> N {
+fn value_with_slope<N: Quantity>(q: N, at: &impl Fn(f64) -> [Lanes; 2], index: usize) -> N {
     let [number, ..] = q.lift(|place| {
         let [values, slopes] = at(place);
         jet_of([values[index], slopes[index], 0.0])
@@ -248,7 +248,7 @@ impl Frozen {
         let cell = &work.linkages[index];
         let of = |pick: fn(&ReducedLinkage) -> [f64; 3]| {
             q.lift(|q| {
-                let reduced = cell.borrow_mut().reduced(q, N::DERIVATIVES);
+                let reduced = cell.borrow_mut().reduced_linkage(q, N::DERIVATIVES);
                 let [value, first, second] = reduced.as_ref().map_or([f64::NAN; 3], pick);
                 Jet {
                     value,
@@ -298,7 +298,7 @@ impl Frozen {
             let [values, slopes] = at(place);
             jet_of([values[0], values[1], slopes[1]])
         });
-        let (force, damping) = (lane(q, &at, 2), lane(q, &at, 3));
+        let (force, damping) = (value_with_slope(q, &at, 2), value_with_slope(q, &at, 3));
         let moving = damping * rate + (slope * rate * rate).scale(0.5);
         [inertia, force - moving]
     }
@@ -313,7 +313,7 @@ impl Frozen {
     /// V″ of a linkage.
     pub(super) fn potential_stiffness(&self, index: usize, work: &Work<f64>) -> f64 {
         let q = work.displacement[self.linkages[index].node];
-        let reduced = work.linkages[index].borrow_mut().reduced(q, 2);
+        let reduced = work.linkages[index].borrow_mut().reduced_linkage(q, 2);
         reduced.map_or(0.0, |reduced| reduced.potential[2])
     }
 
@@ -332,7 +332,7 @@ impl Frozen {
         let table = self.linkages[linkage].table.as_ref();
         match table.filter(|table| extent == Extent::Needed && table.knows(output)) {
             Some(table) => q.lift(|q| {
-                let place = table.locate(q, cursor);
+                let place = table.place_of_input(q, cursor);
                 let known = place.and_then(|place| table.output(output, place));
                 known.unwrap_or_else(|| solved(q))
             }),

@@ -15,7 +15,7 @@ mod build;
 
 use crate::kinematics::linkage::{Linkage, Reach};
 use crate::math::jet::Jet;
-use build::{Builder, period_of_outputs, repeats};
+use build::{Builder, forces_repeat, period_of_outputs};
 use std::cell::Cell;
 
 /// Coefficients of a polynomial, four of them together.
@@ -80,7 +80,7 @@ impl Table {
             (None, Reach::Interval { lower, upper }) => (lower.at, upper.at - lower.at, false),
             _ => return None,
         };
-        if !span.is_finite() || (periodic && !repeats(linkage, start, span)) {
+        if !span.is_finite() || (periodic && !forces_repeat(linkage, start, span)) {
             return None;
         }
         let mut places = vec![None; linkage.spec().outputs.len()];
@@ -108,7 +108,7 @@ impl Table {
     /// The place on a piece that belongs to an input; `None` where there is none.
     /// The cursor says which piece was found last, and is moved.
     #[inline(always)]
-    pub(super) fn locate(&self, q: f64, cursor: &Cell<Cursor>) -> Option<Place> {
+    pub(super) fn place_of_input(&self, q: f64, cursor: &Cell<Cursor>) -> Option<Place> {
         let mut found = cursor.get();
         let mut x = (q - found.centre) * self.pieces.get(found.piece)?.scale;
         if !(x.abs() <= 1.0) {

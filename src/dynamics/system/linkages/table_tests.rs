@@ -92,11 +92,11 @@ fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
     for step in 0..count {
         let q = from + (to - from) * (f64::from(step) + 0.5) / f64::from(count);
         linkage.solve(q, 3, &mut workspace).expect("within reach");
-        let reduced = linkage.reduced(&workspace);
+        let reduced = linkage.reduced_linkage(&workspace);
         let [j0, j1, j2] = reduced.inertia;
         let [w0, w1] = [0, 1].map(|k| reduced.force[k] - reduced.potential[k + 1]);
         let [d0, d1] = reduced.damping;
-        let Some(place) = table.locate(q, &cursor) else {
+        let Some(place) = table.place_of_input(q, &cursor) else {
             continue;
         };
         known += 1;
@@ -142,7 +142,7 @@ fn outputs_are_known_with_three_derivatives_on_every_turn() {
     let (mut workspace, cursor) = (linkage.workspace(), Cell::default());
     for step in 0..3000 {
         let q = -20.0 + 0.0137 * f64::from(step);
-        let place = table.locate(q, &cursor).expect("known everywhere");
+        let place = table.place_of_input(q, &cursor).expect("known everywhere");
         assert!(table.output(1, place).is_none() && table.output(3, place).is_none());
         linkage.solve(q, 3, &mut workspace).expect("within reach");
         for output in [0, 2] {
@@ -170,10 +170,10 @@ fn near_dead_positions_the_linkage_is_solved_itself() {
     assert!(known > 0.95 && miss[0] < 1e-12, "{known} {miss:?}");
     let table = Table::new(&linkage, &[]).expect("a table");
     let middle = Cell::default();
-    assert!(table.locate(0.5 * (from + to), &middle).is_some());
+    assert!(table.place_of_input(0.5 * (from + to), &middle).is_some());
     for cursor in [Cell::default(), middle] {
         for place in [from + 1e-9, to + 0.1, f64::NAN, f64::INFINITY] {
-            assert!(table.locate(place, &cursor).is_none(), "{place}");
+            assert!(table.place_of_input(place, &cursor).is_none(), "{place}");
         }
     }
 }

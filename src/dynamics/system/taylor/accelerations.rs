@@ -2,7 +2,7 @@
 
 use super::super::frozen::{Frozen, Step};
 use super::Taylor;
-use crate::math::polynomial::against;
+use crate::math::polynomial::convolution_term;
 
 impl Frozen {
     /// Accelerations of an order, drivers before driven, and the displacements
@@ -12,25 +12,27 @@ impl Frozen {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
-                    let acceleration = self.quotient(rotor.node, 0.0, order, taylor);
-                    let place = taylor.twice(order) * acceleration;
+                    let acceleration =
+                        self.acceleration_coefficient(rotor.node, 0.0, order, taylor);
+                    let place = taylor.integration_factor(order) * acceleration;
                     taylor.acceleration[rotor.node][order] = acceleration;
-                    taylor.place(rotor.node, order + 2, place);
+                    taylor.set_coefficient(rotor.node, order + 2, place);
                     taylor.u[rotor.coordinate][order + 2] = place;
                     taylor.v[rotor.coordinate][order + 1] = taylor.speed[rotor.node][order + 1];
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];
                     let place = self.advance_law(rigid.law, order, taylor);
-                    taylor.place(rigid.node, order + 2, place);
-                    taylor.acceleration[rigid.node][order] = place / taylor.twice(order);
+                    taylor.set_coefficient(rigid.node, order + 2, place);
+                    taylor.acceleration[rigid.node][order] =
+                        place / taylor.integration_factor(order);
                 }
                 Step::Chain(index) => self.accelerate_of(*index, order, taylor),
                 Step::Constrained(index) => {
                     let own = &self.constraints[*index];
                     let place = own.sum(|driver| taylor.displacement[driver][order + 2]);
-                    taylor.place(own.node, order + 2, place);
-                    taylor.acceleration[own.node][order] = place / taylor.twice(order);
+                    taylor.set_coefficient(own.node, order + 2, place);
+                    taylor.acceleration[own.node][order] = place / taylor.integration_factor(order);
                 }
             }
         }
@@ -39,36 +41,42 @@ impl Frozen {
     /// True of a mass that a rigid stop holds.
     fn grounded_of(&self, node: usize, taylor: &Taylor) -> bool {
         let mut stops = self.stops.iter().zip(&taylor.stop_modes);
-        stops.any(|(stop, &mode)| stop.node == node && stop.contact.holds(mode))
+        stops.any(|(stop, &mode)| stop.node == node && stop.contact.contact_holds(mode))
     }
 
     /// Coefficient `order` of φ̈ of a node from its forces and the links'.
-    fn quotient(&self, node: usize, links: f64, order: usize, taylor: &Taylor) -> f64 {
+    fn acceleration_coefficient(
+        &self,
+        node: usize,
+        links: f64,
+        order: usize,
+        taylor: &Taylor,
+    ) -> f64 {
         let force = taylor.force[node][order] + links;
         if self.rigids.is_empty() && self.constraints.is_empty() && !self.impacts {
             return force / self.inertia[node];
         }
         let (mass, known) = (&taylor.mass[node], &taylor.acceleration[node]);
-        let carried = against(&mass[1..=order], &known[..order]);
+        let carried = convolution_term(&mass[1..=order], &known[..order]);
         (force - carried) / mass[0]
     }
 
     /// The law's next coefficient of U, its driver's being known.
     fn advance_law(&self, law: usize, order: usize, taylor: &mut Taylor) -> f64 {
         let phi = taylor.displacement[self.laws[law].driver][order + 2];
-        taylor.laws[law].advance(order + 2, phi);
+        taylor.laws[law].next_coefficients(order + 2, phi);
         taylor.laws[law].value[order + 2]
     }
 
     fn accelerate_of(&self, index: usize, order: usize, taylor: &mut Taylor) {
         let chain = &self.chains[index];
         let base = self.advance_law(chain.law, order, taylor);
-        let twice = taylor.twice(order);
+        let twice = taylor.integration_factor(order);
         let rate = (order + 2) as f64 / taylor.length;
-        if chain.contact.holds(taylor.modes[index]) {
+        if chain.contact.contact_holds(taylor.modes[index]) {
             let (node, own) = (chain.first_node, chain.first_coordinate);
             taylor.acceleration[node][order] = base / twice;
-            taylor.place(node, order + 2, base);
+            taylor.set_coefficient(node, order + 2, base);
             taylor.u[own][order + 2] = 0.0;
             taylor.v[own][order + 1] = 0.0;
             return;
@@ -86,12 +94,12 @@ impl Frozen {
             };
             let acceleration = match self.impacts && self.grounded_of(node, taylor) {
                 true => 0.0,
-                false => self.quotient(node, above - below, order, taylor),
+                false => self.acceleration_coefficient(node, above - below, order, taylor),
             };
             below = above;
             let place = twice * acceleration;
             taylor.acceleration[node][order] = acceleration;
-            taylor.place(node, order + 2, place);
+            taylor.set_coefficient(node, order + 2, place);
             taylor.u[m][order + 2] = place - base;
             taylor.v[m][order + 1] = rate * (place - base);
         }
@@ -100,7 +108,7 @@ impl Frozen {
             let first = chain.first_coordinate;
             taylor.u[first][order + 2] = place;
             taylor.v[first][order + 1] = rate * place;
-            taylor.place(chain.first_node, order + 2, place + base);
+            taylor.set_coefficient(chain.first_node, order + 2, place + base);
             taylor.acceleration[chain.first_node][order] = (place + base) / twice;
         }
     }

@@ -12,7 +12,12 @@ const LEAST_REACH: f64 = 1e-12;
 
 impl Frozen {
     /// Orders 0 and 1 of all displacements; all orders of drives.
-    pub(super) fn begin(&self, start: &Start<'_>, work: &mut Work<f64>, taylor: &mut Taylor) {
+    pub(super) fn set_first_orders(
+        &self,
+        start: &Start<'_>,
+        work: &mut Work<f64>,
+        taylor: &mut Taylor,
+    ) {
         let Start { time, y, dy, modes } = *start;
         self.motion(time, y, modes, Extent::Full, work);
         self.known_accelerations(&dy[self.coordinates..], work);
@@ -36,9 +41,9 @@ impl Frozen {
                     if own > taylor.excess || own.is_nan() {
                         taylor.excess = own;
                     }
-                    taylor.place(drive.node, 0, middle.value);
+                    taylor.set_coefficient(drive.node, 0, middle.value);
                     for (j, c) in speeds.iter().enumerate() {
-                        taylor.place(drive.node, j + 1, length * c / (j + 1) as f64);
+                        taylor.set_coefficient(drive.node, j + 1, length * c / (j + 1) as f64);
                     }
                     for order in 0..HIGHEST - 1 {
                         taylor.acceleration[drive.node][order] = (order + 1) as f64
@@ -47,14 +52,18 @@ impl Frozen {
                     }
                 }
                 Step::Rotor(rotor) => {
-                    taylor.place(rotor.node, 0, u[rotor.coordinate]);
-                    taylor.place(rotor.node, 1, v[rotor.coordinate] * taylor.length);
+                    taylor.set_coefficient(rotor.node, 0, u[rotor.coordinate]);
+                    taylor.set_coefficient(rotor.node, 1, v[rotor.coordinate] * taylor.length);
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];
                     self.begin_law(rigid.law, modes, work, taylor);
                     for order in 0..2 {
-                        taylor.place(rigid.node, order, taylor.laws[rigid.law].value[order]);
+                        taylor.set_coefficient(
+                            rigid.node,
+                            order,
+                            taylor.laws[rigid.law].value[order],
+                        );
                     }
                 }
                 Step::Chain(index) => self.begin_chain(&self.chains[*index], modes, work, taylor),
@@ -63,7 +72,7 @@ impl Frozen {
                     for order in 0..2 {
                         let sum = own.sum(|driver| taylor.displacement[driver][order]);
                         let offset = if order == 0 { own.offset() } else { 0.0 };
-                        taylor.place(own.node, order, sum + offset);
+                        taylor.set_coefficient(own.node, order, sum + offset);
                     }
                 }
             }
@@ -75,7 +84,7 @@ impl Frozen {
         for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
             for order in 0..2 {
                 let law = taylor.laws[chain.law].value[order];
-                taylor.place(node, order, law + taylor.u[coordinate][order]);
+                taylor.set_coefficient(node, order, law + taylor.u[coordinate][order]);
             }
         }
     }
@@ -88,10 +97,10 @@ impl Frozen {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
             let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));
-            taylor.laws[index].begin(phi, radius, taylor.last, |phi| law.jet(modes, phi));
+            taylor.laws[index].begin_around(phi, radius, taylor.last, |phi| law.jet(modes, phi));
         } else {
             taylor.laws[index].begin_straight(law.jet(modes, phi));
         }
-        taylor.laws[index].advance(1, taylor.displacement[driver][1]);
+        taylor.laws[index].next_coefficients(1, taylor.displacement[driver][1]);
     }
 }

@@ -7,7 +7,7 @@
 //! sine it misses less than 0.06·(r·k)⁹/9! of the amplitude of U′, k its harmonic.
 
 use crate::math::jet::Jet;
-use crate::math::polynomial::{Coefficients, MAX_DEGREE, against};
+use crate::math::polynomial::{Coefficients, MAX_DEGREE, convolution_term};
 
 /// Highest power of a series.
 pub(crate) const HIGHEST: usize = MAX_DEGREE;
@@ -169,7 +169,13 @@ impl Default for LawSeries {
 impl LawSeries {
     /// Begins anew around a driver's displacement `phi`; the last two coefficients
     /// may have a share `allowed` of U′.
-    pub(super) fn begin(&mut self, phi: f64, radius: f64, allowed: f64, jet: impl Fn(f64) -> Jet) {
+    pub(super) fn begin_around(
+        &mut self,
+        phi: f64,
+        radius: f64,
+        allowed: f64,
+        jet: impl Fn(f64) -> Jet,
+    ) {
         let middle = jet(phi);
         self.radius = radius;
         self.polynomial = polynomial(middle, jet(phi - radius), jet(phi + radius), radius);
@@ -200,7 +206,7 @@ impl LawSeries {
 
     /// The next coefficients, all those before being known: the driver's
     /// displacement has the coefficient `phi` at this `order` ≥ 1.
-    pub(super) fn advance(&mut self, order: usize, phi: f64) {
+    pub(super) fn next_coefficients(&mut self, order: usize, phi: f64) {
         let c = &self.polynomial;
         let x = phi / self.radius;
         self.powers[0][order] = x;
@@ -213,7 +219,7 @@ impl LawSeries {
             // x^(j+1) = x^j·x begins with s^(j+1).
             let (known, rest) = self.powers.split_at_mut(j);
             let power = if order > j {
-                against(&known[j - 1][j..order], &known[0][1..=order - j])
+                convolution_term(&known[j - 1][j..order], &known[0][1..=order - j])
             } else {
                 0.0
             };
@@ -247,9 +253,9 @@ mod tests {
     /// Composed with φ(s) = 0.4 + 0.2·s − 0.05·s², against the law itself.
     fn errors(position: &Position) -> [f64; 3] {
         let mut law = LawSeries::default();
-        law.begin(0.4, 0.2, LAST[0], |phi| position.jet(0, phi));
+        law.begin_around(0.4, 0.2, LAST[0], |phi| position.jet(0, phi));
         for order in 1..=HIGHEST {
-            law.advance(order, [0.0, 0.2, -0.05].get(order).copied().unwrap_or(0.0));
+            law.next_coefficients(order, [0.0, 0.2, -0.05].get(order).copied().unwrap_or(0.0));
         }
         let at = |series: &Series, s: f64| series.iter().rev().fold(0.0, |sum, c| sum * s + c);
         let mut errors = [0.0f64; 3];
@@ -280,7 +286,7 @@ mod tests {
         let excess = |radius: f64| {
             let mut law = LawSeries::default();
             let phi = 4.5 * std::f64::consts::PI + 0.1 * radius;
-            law.begin(phi, radius, last(20), |phi| sine.jet(0, phi));
+            law.begin_around(phi, radius, last(20), |phi| sine.jet(0, phi));
             law.excess
         };
         assert!(excess(1.0) > 2.0);

@@ -116,12 +116,12 @@ impl Taylor {
     }
 
     /// Factor from coefficient k of φ̈ to coefficient k + 2 of φ.
-    fn twice(&self, order: usize) -> f64 {
+    fn integration_factor(&self, order: usize) -> f64 {
         self.length * self.length / ((order + 1) * (order + 2)) as f64
     }
 
     /// Sets φ of a node at an order, and φ̇ at the one before.
-    fn place(&mut self, node: usize, order: usize, value: f64) {
+    fn set_coefficient(&mut self, node: usize, order: usize, value: f64) {
         self.displacement[node][order] = value;
         if order > 0 {
             self.speed[node][order - 1] = order as f64 * value / self.length;
@@ -190,10 +190,10 @@ impl Frozen {
     ) -> f64 {
         taylor.length = length;
         taylor.last = law::last(degree);
-        self.begin(start, work, taylor);
+        self.set_first_orders(start, work, taylor);
         for order in 0..=degree - 2 {
             self.forces_of(start, order, work, taylor);
-            self.reduce_of(order, taylor);
+            self.hand_to_drivers(order, taylor);
             self.accelerations_of(order, taylor);
         }
         let extra = self.extra.iter().map(|&node| &taylor.displacement[node]);
@@ -240,7 +240,7 @@ impl Frozen {
         }
         for (index, load) in self.loads.iter().enumerate() {
             let force = if let Some(written) = &load.written {
-                self.written_of_order(index, written, start, order, taylor)
+                self.expression_coefficient(index, written, start, order, taylor)
             } else if order == 0 {
                 if let Some(series) = &mut taylor.loads[index] {
                     let node = load.node;
@@ -332,7 +332,7 @@ impl Frozen {
     }
 
     /// Rigid nodes hand inertia and forces of an order to their drivers.
-    fn reduce_of(&self, order: usize, taylor: &mut Taylor) {
+    fn hand_to_drivers(&self, order: usize, taylor: &mut Taylor) {
         if self.rigids.is_empty() && self.constraints.is_empty() && !self.impacts {
             return;
         }
@@ -350,7 +350,7 @@ impl Frozen {
                 Step::Rigid(index) => self.reduce_rigid_of(&self.rigids[index], order, taylor),
                 Step::Chain(index) => {
                     let chain = &self.chains[index];
-                    if chain.contact.holds(taylor.modes[index]) {
+                    if chain.contact.contact_holds(taylor.modes[index]) {
                         let (node, law) = (chain.first_node, chain.law);
                         self.reduce_rigid_of(&Rigid { node, law }, order, taylor);
                     }

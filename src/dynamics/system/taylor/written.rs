@@ -18,7 +18,7 @@ const DEGREES_A_DIGIT: f64 = 1.25;
 
 impl Frozen {
     /// The force of a load at an order.
-    pub(super) fn written_of_order(
+    pub(super) fn expression_coefficient(
         &self,
         load: usize,
         written: &FrozenExpression,

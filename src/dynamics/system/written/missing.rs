@@ -125,7 +125,7 @@ impl System {
     ) -> Option<PhysicalStop> {
         self.written_loads().find_map(|(load, written)| {
             let arguments = written.arguments(time, work);
-            let bounds = written.around([time, reach], work);
+            let bounds = written.variable_bounds_near([time, reach], work);
             let met = may_have_poles(written.expression.program())
                 && written.is_unbounded(&bounds, modes);
             met.then(|| ends(load, written, time, &arguments))
@@ -153,14 +153,18 @@ impl System {
     /// True where a load may have a pole.
     pub(in crate::dynamics::system) fn may_meet_poles(&self) -> bool {
         self.frozen
-            .written()
+            .expression_loads()
             .any(|written| may_have_poles(written.expression.program()))
     }
 }
 
 impl FrozenExpression {
     /// Bounds of its variables within `reach` (s) of a motion.
-    fn around(&self, [time, reach]: [f64; 2], work: &Work<f64>) -> [RateBounds; VARIABLES] {
+    fn variable_bounds_near(
+        &self,
+        [time, reach]: [f64; 2],
+        work: &Work<f64>,
+    ) -> [RateBounds; VARIABLES] {
         let beside = |value: f64, rate: f64| {
             let width = reach * rate.abs() + ROUNDINGS * value.abs();
             RateBounds {

@@ -7,7 +7,7 @@ use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::{Extent, Work};
-use crate::math::expression::{Interval, OPEN, RateBounds, Stretch, Third, VARIABLES, follow};
+use crate::math::expression::{Interval, OPEN, RateBounds, Stretch, Third, VARIABLES, change_mode};
 use crate::math::jet::Jet;
 use crate::math::number::Dual;
 use crate::math::polynomial::{MAX_DEGREE, Step, divide};
@@ -109,7 +109,13 @@ impl FrozenExpression {
     }
 
     /// Value and rate of a guard at a motion whose accelerations are known.
-    fn guard(&self, guard: usize, time: f64, modes: &[i64], work: &Work<f64>) -> Dual {
+    fn value_and_rate_of_guard(
+        &self,
+        guard: usize,
+        time: f64,
+        modes: &[i64],
+        work: &Work<f64>,
+    ) -> Dual {
         let mut values = [Dual::from(0.0); VARIABLES];
         for (value, input) in values.iter_mut().zip(&self.inputs) {
             *value = match *input {
@@ -183,7 +189,9 @@ impl Frozen {
     }
 
     /// The loads by expressions.
-    pub(in crate::dynamics::system) fn written(&self) -> impl Iterator<Item = &FrozenExpression> {
+    pub(in crate::dynamics::system) fn expression_loads(
+        &self,
+    ) -> impl Iterator<Item = &FrozenExpression> {
         self.loads.iter().filter_map(|load| load.written.as_ref())
     }
 
@@ -201,10 +209,10 @@ impl Frozen {
         let mut work = Work::new(self);
         let mut out = vec![0.0; self.coordinates];
         self.evaluate(time, state, modes, Extent::Full, &mut work, &mut out);
-        for written in self.written() {
+        for written in self.expression_loads() {
             let guards = &written.expression.program().guards;
             for (index, component) in written.components().enumerate() {
-                let at = written.guard(index, time, modes, &work);
+                let at = written.value_and_rate_of_guard(index, time, modes, &work);
                 let rate = match at.derivative == 0.0 && at.value == 0.0 {
                     true => written.first_nonzero_derivative(index, time, modes, &work),
                     false => at.derivative,
@@ -232,11 +240,15 @@ impl Frozen {
             let of = |written: &FrozenExpression| {
                 let components = written.components().enumerate();
                 let guards = components.filter(|&(_, component)| modes[component] != OPEN);
-                let values =
-                    guards.map(|(guard, own)| (own, written.guard(guard, time, modes, &work)));
+                let values = guards.map(|(guard, own)| {
+                    (
+                        own,
+                        written.value_and_rate_of_guard(guard, time, modes, &work),
+                    )
+                });
                 values.collect::<Vec<_>>()
             };
-            self.written().flat_map(of).collect()
+            self.expression_loads().flat_map(of).collect()
         };
         let now = values(state);
         let mut floors = vec![0.0; now.len()];
@@ -261,7 +273,7 @@ impl Frozen {
     }
 
     /// The first switch of a guard on a step, up to `end`.
-    pub(in crate::dynamics::system) fn crossing(
+    pub(in crate::dynamics::system) fn first_guard_crossing(
         &self,
         step: &Step<'_>,
         modes: &[i64],
@@ -270,7 +282,7 @@ impl Frozen {
         resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
         let mut first: Option<(f64, EventFunction)> = None;
-        for written in self.written() {
+        for written in self.expression_loads() {
             let along = Along { written, step };
             let of_guard = |own: u16| modes[written.component + usize::from(own)];
             let guards = &written.expression.program().guards;
@@ -338,12 +350,12 @@ impl System {
         let at = |guard: usize, own: &[i64]| {
             all[written.components()].copy_from_slice(own);
             frozen.evaluate(time, y, &all, Extent::Full, &mut work, &mut out);
-            written.guard(guard, time, &all, &work)
+            written.value_and_rate_of_guard(guard, time, &all, &work)
         };
         let sense = (watch.target - modes[component]).signum() as f64;
         let guards = &written.expression.program().guards;
         let own = &mut modes[written.components()];
-        let [came, goes] = follow(guards, guard, watch.target, own, at);
+        let [came, goes] = change_mode(guards, guard, watch.target, own, at);
         let (came, goes) = (came.derivative, goes.derivative);
         if sense * came > 0.0 && sense * goes < -TURNED_BACK * came.abs() {
             return Err(self.held_at_jump(time, load));

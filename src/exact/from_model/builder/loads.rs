@@ -54,7 +54,7 @@ impl<'m> Builder<'m> {
             LoadLaw::Stop(_) => {
                 self.refuse_load(load, on, "presses on one side alone, at a place of its own");
             }
-            LoadLaw::Written(written) => self.written(load, on, written),
+            LoadLaw::Written(written) => self.add_expression_load(load, on, written),
             LoadLaw::Function { function, .. } => {
                 self.refuse_load(load, on, function.why_not_linear());
             }
@@ -63,7 +63,7 @@ impl<'m> Builder<'m> {
 
     /// An expression: what of it is linear in the motion of its own mass is a spring and
     /// a damper, the rest a load over time.
-    fn written(&mut self, load: &'m Load, on: MovedNode, written: &WrittenLoad) {
+    fn add_expression_load(&mut self, load: &'m Load, on: MovedNode, written: &WrittenLoad) {
         let expression = &written.expression;
         let own = |wanted: LoadVariable| -> Vec<usize> {
             let variables = written.variables.iter().enumerate();
@@ -160,7 +160,7 @@ impl<'m> Builder<'m> {
             .iter()
             .any(|r| r.object == *id && r.reason == reason)
         {
-            self.refuse(object, reason);
+            self.note_refusal(object, reason);
         }
     }
 }

@@ -14,7 +14,7 @@ impl Builder<'_> {
             let reason = "the point between its contact and its damped link 1 is massless: a \
                           state of first order, where exact propagation knows masses only";
             self.trees[tree].objects.push(object);
-            self.refuse(object, reason);
+            self.note_refusal(object, reason);
             return;
         }
         let first = self.trees[tree].problem.masses.len();
@@ -58,7 +58,7 @@ impl Builder<'_> {
                 self.spoiled[tree] = true;
                 let own = part.contact.map(|own| own.law.declaration());
                 let own = own.unwrap_or(law_of_link(Loss::FactorOfDamper));
-                self.refuse(
+                self.note_refusal(
                     object,
                     format!("its contact force is not linear ({})", own.name),
                 );
@@ -70,7 +70,7 @@ impl Builder<'_> {
             let mass = part.nodes.iter().position(|&own| own == node)?;
             Some((first + mass, share))
         };
-        let output = match self.model.reduced(object) {
+        let output = match self.model.reduction_of(object) {
             Some(reduced) => reduced.modes.iter().filter_map(place).collect(),
             None => vec![(last, 1.0)],
         };

@@ -25,7 +25,7 @@ impl<'m> Builder<'m> {
                 Role::Moved(_) => {}
             }
         }
-        if let Some(reduced) = self.reduced(object) {
+        if let Some(reduced) = self.reduced_object_of(object) {
             return self.sum_of_modes(object, reduced, &roles);
         }
         let reason = if courses.len() < drivers.len() {
@@ -46,11 +46,11 @@ impl<'m> Builder<'m> {
                 self.spoiled[moved.tree] = true;
             }
         }
-        self.refuse(object, reason);
+        self.note_refusal(object, reason);
     }
 
     /// The reduced object of which a part is the sum of the modes.
-    fn reduced(&self, sum: usize) -> Option<usize> {
+    fn reduced_object_of(&self, sum: usize) -> Option<usize> {
         let nodes = &self.model.objects[sum].nodes;
         let mut all = self.model.reduced.iter();
         let own = all.find(|one| {

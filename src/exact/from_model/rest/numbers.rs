@@ -13,7 +13,7 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    pub(super) fn reduced(
+    pub(super) fn renumbered_reduction(
         &self,
         reduced: &ModalReduction,
         kept: &[usize],

@@ -31,13 +31,13 @@ impl Object for Part {
     fn ports(&self) -> Ports {
         match &self.1 {
             Spec::Drive(_) => Ports::source(self.0),
-            Spec::Chain(_) => Ports::driven(self.0),
+            Spec::Chain(_) => Ports::with_one_driver(self.0),
         }
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
         match &self.1 {
-            Spec::Drive(spec) => into.drive(at, spec),
+            Spec::Drive(spec) => into.add_drive(at, spec),
             Spec::Chain(spec) => into.chain(at, at.input(INPUT), spec),
         }
     }

@@ -94,7 +94,7 @@ fn windows_and_tables_become_pieces_over_shared_tracks() {
     let force = |load: usize, x: f64| match &model.loads[load].law {
         LoadLaw::Pieces { track, pieces } => {
             let breaks = &model.tracks[*track].breaks;
-            let (piece, turned) = breaks.piece(breaks.locate(x, 1.0));
+            let (piece, turned) = breaks.piece(breaks.segment_at(x, 1.0));
             let piece = pieces[piece];
             piece.value + piece.slope * (x - turned - piece.start)
         }

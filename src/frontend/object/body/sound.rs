@@ -45,7 +45,7 @@ pub(in crate::frontend::object) fn is_sound(body: &BodySpec) -> bool {
 }
 
 /// Refuses numbers that overflow once they are combined.
-pub(super) fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
+pub(super) fn check_overflow(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
     if is_sound(&body) {
         return Some(body);
     }

@@ -46,12 +46,16 @@ impl BodyFields {
 }
 
 /// Reads what is written.
-pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<BodyFields> {
+pub(super) fn read_body_fields(
+    fields: &mut Fields<'_>,
+    own: Measures,
+    beam: Beam,
+) -> Option<BodyFields> {
     let masses = fields.maybe(
         "masses",
         "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
          run needs. Default: 1, or the length of the lists.",
-        |slot| level::masses(slot, MOST_MASSES),
+        |slot| level::read_masses(slot, MOST_MASSES),
     );
     own.name_inertia(fields);
     let inertia = fields.maybe("inertia", "Total inertia J", |slot| {
@@ -71,7 +75,7 @@ pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Opt
     let split = fields.maybe(
         "split",
         "How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.",
-        split,
+        read_inertia_split,
     );
     let lumping = level::read_lumping(fields);
     let modes = level::read_modes(fields);
@@ -147,7 +151,7 @@ fn doubt_damping(fields: &mut Fields<'_>, damping: f64, critical: f64, own: Meas
     ));
 }
 
-fn split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
+fn read_inertia_split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
     let names = [
         ("cubes", InertiaSplit::Cubes),
         ("equal", InertiaSplit::Equal),

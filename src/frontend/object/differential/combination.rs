@@ -21,7 +21,7 @@ pub(super) enum Combination {
 }
 
 /// `planetary` or `lever`; without them the ratios stand at the inputs.
-pub(super) fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
+pub(super) fn read_combination(fields: &mut Fields<'_>) -> Option<Combination> {
     let doc = "A planetary gear: two of its inputs `sun`, `ring` and `carrier` drive the third.";
     let planetary = fields.maybe("planetary", doc, |slot| {
         slot.record(|fields| {
@@ -79,7 +79,7 @@ pub(super) fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
 }
 
 /// The ratios of all inputs.
-pub(super) fn combine(
+pub(super) fn read_combine(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     combination: &Combination,
@@ -96,12 +96,12 @@ pub(super) fn combine(
     }
     let inputs: Vec<Option<f64>> = match combination {
         Combination::Ratios => (written.iter())
-            .map(|input| own_ratio(fields, input))
+            .map(|input| read_own_ratio(fields, input))
             .collect(),
-        Combination::Planetary(ratio) => planetary(fields, written, *ratio, own)?,
-        Combination::Lever(output) => lever(fields, written, *output, own)?,
+        Combination::Planetary(ratio) => read_planetary(fields, written, *ratio, own)?,
+        Combination::Lever(output) => read_lever(fields, written, *output, own)?,
         Combination::Own(constraint) => {
-            coded_constraint_ratios(fields, written, constraint.drivers())?
+            read_coded_constraint_ratios(fields, written, constraint.drivers())?
         }
     };
     let named = written.iter().zip(inputs);
@@ -114,7 +114,7 @@ pub(super) fn combine(
 }
 
 /// A constraint given in code knows its gradient itself.
-fn coded_constraint_ratios(
+fn read_coded_constraint_ratios(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     drivers: usize,
@@ -129,7 +129,7 @@ fn coded_constraint_ratios(
     }
     for input in written {
         if input.ratio.is_some() {
-            refuse(
+            refuse_property(
                 fields,
                 input,
                 "ratio",
@@ -137,15 +137,15 @@ fn coded_constraint_ratios(
             );
         }
         if input.at.is_some() {
-            refuse(fields, input, "at", "`at` goes with `lever` only");
+            refuse_property(fields, input, "at", "`at` goes with `lever` only");
         }
     }
     Some(vec![Some(1.0); drivers])
 }
 
-fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
+fn read_own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
     if input.at.is_some() {
-        refuse(fields, input, "at", "`at` goes with `lever` only");
+        refuse_property(fields, input, "at", "`at` goes with `lever` only");
         return None;
     }
     if input.ratio.is_none() {
@@ -158,7 +158,7 @@ fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
 }
 
 /// φ_sun − i₀·φ_ring = (1 − i₀)·φ_carrier, solved for the member that is no input.
-fn planetary(
+fn read_planetary(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     ratio: f64,
@@ -179,13 +179,13 @@ fn planetary(
             return None;
         }
         if input.ratio.is_some() {
-            refuse(fields, input, "ratio", "the ratio follows from `planetary`");
+            refuse_property(fields, input, "ratio", "the ratio follows from `planetary`");
         }
         if input.at.is_some() {
-            refuse(fields, input, "at", "`at` goes with `lever` only");
+            refuse_property(fields, input, "at", "`at` goes with `lever` only");
         }
         if input.driver == Some(Coordinate::Sliding) {
-            refuse(
+            refuse_property(
                 fields,
                 input,
                 "object",
@@ -217,7 +217,7 @@ fn planetary(
 
 /// A stiff lever through two points: the output's displacement is the linear function
 /// through those of the inputs.
-fn lever(
+fn read_lever(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     output: f64,
@@ -225,10 +225,10 @@ fn lever(
 ) -> Option<Vec<Option<f64>>> {
     for input in written {
         if input.ratio.is_some() {
-            refuse(fields, input, "ratio", "the ratio follows from `lever`");
+            refuse_property(fields, input, "ratio", "the ratio follows from `lever`");
         }
         if input.driver == Some(Coordinate::Turning) {
-            refuse(
+            refuse_property(
                 fields,
                 input,
                 "object",
@@ -265,7 +265,7 @@ fn lever(
     Some(ratios.map(Some).to_vec())
 }
 
-fn refuse(fields: &mut Fields<'_>, input: &InputStatement, property: &str, message: &str) {
+fn refuse_property(fields: &mut Fields<'_>, input: &InputStatement, property: &str, message: &str) {
     let inputs = fields.member("inputs").map(|member| &member.value);
     let own = inputs.and_then(|inputs| inputs.get(&input.name)?.get(property));
     let place = own.map(|value| value.place.clone());

@@ -41,12 +41,12 @@ pub(super) fn read(
     let known = CouplingContext { names, pairs };
     fields.or("couplings", COUPLINGS, json!({}), |slot| {
         slot.names(|name, slot| {
-            slot.defined("linkage_coupling", |slot| coupling(slot, name, known))
+            slot.defined("linkage_coupling", |slot| read_coupling(slot, name, known))
         })
     })
 }
 
-fn coupling(slot: Slot<'_>, name: &str, known: CouplingContext<'_>) -> Option<CouplingSpec> {
+fn read_coupling(slot: Slot<'_>, name: &str, known: CouplingContext<'_>) -> Option<CouplingSpec> {
     slot.record(|fields| {
         let mut kind = fields.one_of("what couples the links");
         for declared in DECLARATIONS {
@@ -92,7 +92,7 @@ impl JointReader for CouplingReader<'_, '_, '_> {
         let (wheels, carrier, offset) = (wheels?, carrier?, offset?);
         let carrier = match carrier {
             Some(given) => given,
-            None => the_carrier(fields, self.known, wheels, slides, lacks)?,
+            None => read_the_carrier(fields, self.known, wheels, slides, lacks)?,
         };
         fields.fill_in("carrier", json!(names.of_link(carrier)));
         Some(CarriedLinks {
@@ -172,7 +172,7 @@ impl JointReader for CouplingReader<'_, '_, '_> {
 }
 
 /// The only link that can carry both wheels.
-fn the_carrier(
+fn read_the_carrier(
     fields: &mut Fields<'_>,
     known: CouplingContext<'_>,
     wheels: Wheels,

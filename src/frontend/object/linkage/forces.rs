@@ -5,7 +5,7 @@ use super::pairs;
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::measures::Measures;
-use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, read_points};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, PairSpec};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -50,7 +50,7 @@ pub(super) fn read(
     fields.or("forces", doc, json!({}), |slot| {
         slot.names(|name, slot| {
             slot.defined("linkage_force", |slot| {
-                let law = slot.record(|fields| law(fields, names, pairs, input))?;
+                let law = slot.record(|fields| read_law(fields, names, pairs, input))?;
                 Some(ForceSpec {
                     name: name.to_owned(),
                     law,
@@ -60,7 +60,7 @@ pub(super) fn read(
     })
 }
 
-fn law(
+fn read_law(
     fields: &mut Fields<'_>,
     names: &Names,
     pairs: Option<&[PairSpec]>,
@@ -70,35 +70,35 @@ fn law(
     law.case(
         "strut",
         "A spring, a damper and a constant force between two points; tension pulls them together.",
-        |slot| slot.record(|fields| strut(fields, names)),
+        |slot| slot.record(|fields| read_strut(fields, names)),
     );
     law.case("force", "A constant force on a point.", |slot| {
-        slot.record(|fields| force(fields, names))
+        slot.record(|fields| read_force(fields, names))
     });
     law.case(
         "couple",
         "A constant couple on a link, counterclockwise.",
-        |slot| slot.record(|fields| couple(fields, names)),
+        |slot| slot.record(|fields| read_couple(fields, names)),
     );
     law.case(
         "torsion",
         "A spring and a damper in a revolute pair.",
-        |slot| slot.record(|fields| torsion(fields, names, pairs)),
+        |slot| slot.record(|fields| read_torsion(fields, names, pairs)),
     );
     law.case(
         "table",
         "A force on a point along a direction, over the input coordinate.",
-        |slot| slot.record(|fields| table(fields, names, input)),
+        |slot| slot.record(|fields| read_table(fields, names, input)),
     );
     law.case(
         "couple_table",
         "A couple on a link, counterclockwise, over the input coordinate.",
-        |slot| slot.record(|fields| couple_table(fields, names, input)),
+        |slot| slot.record(|fields| read_couple_table(fields, names, input)),
     );
     law.finish()
 }
 
-fn strut(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
+fn read_strut(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     let from = fields.need("from", "One end.", |slot| names.point(slot));
     let to = fields.need("to", "The other end.", |slot| names.point(slot));
     let rate = fields.or("rate", "Rate of the spring", json!(0.0), |slot| {
@@ -132,7 +132,7 @@ fn strut(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     })
 }
 
-fn force(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
+fn read_force(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     let point = fields.need("point", "Where it acts.", |slot| names.point(slot));
     let part = |slot: Slot<'_>| slot.quantity(q::FORCE, Bounds::ANY);
     let force = fields.need("force", "The force, [x, y].", |slot| slot.pair(part, part));
@@ -146,7 +146,7 @@ fn force(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     })
 }
 
-fn couple(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
+fn read_couple(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     let link = fields.need("link", "The link.", |slot| names.link(slot));
     let moment = fields.need("moment", "The couple", |slot| {
         slot.quantity(q::MOMENT, Bounds::ANY)
@@ -157,7 +157,11 @@ fn couple(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     })
 }
 
-fn torsion(fields: &mut Fields<'_>, names: &Names, pairs: Option<&[PairSpec]>) -> Option<ForceLaw> {
+fn read_torsion(
+    fields: &mut Fields<'_>,
+    names: &Names,
+    pairs: Option<&[PairSpec]>,
+) -> Option<ForceLaw> {
     let pair = fields.need("pair", "The revolute pair.", |slot| names.pair(slot));
     let rate = fields.or("rate", "Rate of the spring", json!(0.0), |slot| {
         slot.quantity(q::ROTATIONAL_STIFFNESS, Bounds::NOT_NEGATIVE)
@@ -189,14 +193,14 @@ fn torsion(fields: &mut Fields<'_>, names: &Names, pairs: Option<&[PairSpec]>) -
     })
 }
 
-fn table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<ForceLaw> {
+fn read_table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<ForceLaw> {
     let point = fields.need("point", "Where it acts.", |slot| names.point(slot));
     let doc = "Its direction in the frame of the ground";
     let direction = fields.or("direction", doc, json!(0.0), |slot| {
         slot.quantity(q::ANGLE, Bounds::ANY)
     });
     let doc = "List of [input coordinate, force]: linear between the points, constant outside.";
-    let (points, period) = over_input(fields, doc, q::FORCE.into(), input)?;
+    let (points, period) = read_over_input(fields, doc, q::FORCE.into(), input)?;
     Some(ForceLaw::Table {
         point: point?,
         direction: direction?,
@@ -205,10 +209,10 @@ fn table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<Forc
     })
 }
 
-fn couple_table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<ForceLaw> {
+fn read_couple_table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<ForceLaw> {
     let link = fields.need("link", "The link.", |slot| names.link(slot));
     let doc = "List of [input coordinate, couple]: linear between the points, constant outside.";
-    let (points, period) = over_input(fields, doc, q::MOMENT.into(), input)?;
+    let (points, period) = read_over_input(fields, doc, q::MOMENT.into(), input)?;
     Some(ForceLaw::CoupleTable {
         link: link?,
         points,
@@ -220,14 +224,14 @@ fn couple_table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Opti
 type OverInput = (Vec<(f64, f64)>, Option<f64>);
 
 /// Reads a table over the input coordinate.
-fn over_input(
+fn read_over_input(
     fields: &mut Fields<'_>,
     doc: &'static str,
     value: QuantityChoice,
     input: Measures,
 ) -> Option<OverInput> {
     let list = fields.need("points", doc, |slot| {
-        points(slot, input.displacement(), value, 1)
+        read_points(slot, input.displacement(), value, 1)
     });
     let doc = "Repeats after this much of the input coordinate";
     let period = fields.maybe("period", doc, |slot| {

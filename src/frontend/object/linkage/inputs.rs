@@ -88,13 +88,13 @@ pub(super) fn read(
             fault.hints.push("choose another name".to_owned());
         }
         let input = slot.defined("linkage_input", |slot| {
-            slot.record(|fields| input(fields, name, names, pairs, context))
+            slot.record(|fields| read_input(fields, name, names, pairs, context))
         });
         input.filter(|_| free)
     })
 }
 
-fn input(
+fn read_input(
     fields: &mut Fields<'_>,
     name: &str,
     names: &Names,
@@ -182,7 +182,7 @@ fn input(
 }
 
 /// The linkage with its inputs.
-pub(super) fn driven(
+pub(super) fn read_linkage_with_inputs(
     fields: &mut Fields<'_>,
     written: Vec<InputStatement>,
     linkage: LinkageSpec,

@@ -7,13 +7,13 @@ use crate::units::quantities as q;
 use serde_json::json;
 
 /// Reads `[x, y]`.
-pub(super) fn place(slot: Slot<'_>) -> Option<[f64; 2]> {
+pub(super) fn read_point(slot: Slot<'_>) -> Option<[f64; 2]> {
     let length = |slot: Slot<'_>| slot.quantity(q::LENGTH, Bounds::ANY);
     let (x, y) = slot.pair(length, length)?;
     Some([x, y])
 }
 
-fn points(slot: Slot<'_>) -> Option<Vec<NamedPoint>> {
+fn read_points(slot: Slot<'_>) -> Option<Vec<NamedPoint>> {
     slot.names(|name, mut slot| {
         if name == ORIGIN {
             let owner = slot.name_place();
@@ -22,7 +22,7 @@ fn points(slot: Slot<'_>) -> Option<Vec<NamedPoint>> {
             return None;
         }
         let name = name.to_owned();
-        place(slot).map(|at| NamedPoint { name, at })
+        read_point(slot).map(|at| NamedPoint { name, at })
     })
 }
 
@@ -35,7 +35,7 @@ pub(super) fn read(
         "ground",
         "Points of the ground by name, each [x, y].",
         json!({}),
-        points,
+        read_points,
     );
     let links = fields.need("links", "The moving links by name.", |slot| {
         slot.names(|name, mut slot| {
@@ -45,7 +45,7 @@ pub(super) fn read(
                 slot.refuse("bad-id", message).place = Some(place);
                 return None;
             }
-            slot.defined("linkage_link", |slot| link(slot, name))
+            slot.defined("linkage_link", |slot| read_link(slot, name))
         })
     });
     names.fill_in(
@@ -55,17 +55,17 @@ pub(super) fn read(
     Some((ground?, links?))
 }
 
-fn link(slot: Slot<'_>, name: &str) -> Option<LinkSpec> {
+fn read_link(slot: Slot<'_>, name: &str) -> Option<LinkSpec> {
     slot.record(|fields| {
         let doc = "Points by name, each [x, y] in the frame of the link; `origin` is always there.";
-        let points = fields.or("points", doc, json!({}), points);
+        let points = fields.or("points", doc, json!({}), read_points);
         let known = points.as_deref().map(with_origin);
         let mass = fields.maybe("mass", "Mass; default 0", |slot| {
             slot.quantity(q::MASS, Bounds::NOT_NEGATIVE)
         });
         let doc = "Centre of mass: [x, y] in the frame of the link, or the name of a point; default its origin.";
         let centre = fields.maybe("centre", doc, |slot| {
-            slot.text_or(|slot| one_of(slot, name, known.as_deref()), place)
+            slot.text_or(|slot| one_of(slot, name, known.as_deref()), read_point)
         });
         let doc = "Moment of inertia about the centre of mass; default 0";
         fields.synonym("moment", "moment_of_inertia");
@@ -73,7 +73,7 @@ fn link(slot: Slot<'_>, name: &str) -> Option<LinkSpec> {
             slot.quantity(q::INERTIA, Bounds::NOT_NEGATIVE)
         });
         let doc = "A uniform bar between two points, in place of `mass`, `centre` and `moment`.";
-        let bar = fields.maybe("geometry", doc, |slot| bar(slot, name, known.as_deref()));
+        let bar = fields.maybe("geometry", doc, |slot| read_bar(slot, name, known.as_deref()));
         let mut clash = false;
         for given in ["mass", "centre", "moment"] {
             clash |= fields.clash("geometry", given, "they give the same parameter in two ways");
@@ -138,7 +138,7 @@ fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&[NamedPoint]>) -> Optio
 
 /// m = ρ·w·h·L, in the middle, with m·(L² + h²)/12: a uniform bar of rectangular
 /// section between two points.
-fn bar(slot: Slot<'_>, link: &str, known: Option<&[NamedPoint]>) -> Option<Body> {
+fn read_bar(slot: Slot<'_>, link: &str, known: Option<&[NamedPoint]>) -> Option<Body> {
     slot.record(|fields| {
         let end = |slot: Slot<'_>| one_of(slot, link, known);
         let doc = "Point at which the bar begins; both ends may be left out when the link has two points, or one besides its origin.";

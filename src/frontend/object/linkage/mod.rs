@@ -82,7 +82,7 @@ impl Object for Linkage {
 
     fn ports(&self) -> Ports {
         let (mut ports, linkage) = match &self.spec {
-            DriveMode::One(spec) => (Ports::driven(spec.coordinate), &spec.linkage),
+            DriveMode::One(spec) => (Ports::with_one_driver(spec.coordinate), &spec.linkage),
             DriveMode::Several(spec) => (inputs::ports(spec), &spec.linkage.linkage),
         };
         let further = linkage.outputs.iter().map(|output| {
@@ -116,7 +116,7 @@ impl Object for Linkage {
 }
 
 /// Reads the name of the pair that is driven: one, not several.
-fn driven_pair(mut slot: Slot<'_>, names: &Names) -> Option<usize> {
+fn read_driven_pair(mut slot: Slot<'_>, names: &Names) -> Option<usize> {
     let given = slot.node().map(|node| &node.value);
     let Some(Value::List(list)) = given else {
         return names.pair(slot);
@@ -155,7 +155,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     way.case("driver", doc, |slot| {
-        driven_pair(slot, &names).map(MovedBy::Driver)
+        read_driven_pair(slot, &names).map(MovedBy::Driver)
     });
     let doc = "In place of `input`, `driver`, `position`, `start` and `travel`: its independent coordinates by name, as many as its mobility. Each is an output too, `press.left`.";
     way.case("inputs", doc, |slot| {
@@ -172,13 +172,13 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
     let input = Measures(kind);
     let of_one = match several {
         true => refuse_single_input_fields(fields).then_some(OneInput::default()),
-        false => one_input(fields, input, driver),
+        false => read_one_input(fields, input, driver),
     };
     let doc = "True: the friction of the joints acts on the motion in `dam run`. The linkage, or \
                single joints of one with several inputs, may come to rest by it. False: it counts \
                in `dam forces` only.";
     let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
-    let assembly = pairs::assembly(fields, &names);
+    let assembly = pairs::read_assembly(fields, &names);
     let gravity = forces::gravity(fields);
     let forces = forces::read(fields, &names, pairs.as_deref(), input);
     let outputs = outputs::read(fields, &names, pairs.as_deref(), (input, context));
@@ -202,7 +202,8 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
     };
     match way? {
         MovedBy::Inputs(written) => {
-            let spec = inputs::driven(fields, written, linkage, loads, joint_friction)?;
+            let spec =
+                inputs::read_linkage_with_inputs(fields, written, linkage, loads, joint_friction)?;
             Some(DriveMode::Several(spec))
         }
         MovedBy::Driver(_) => Some(DriveMode::One(DrivenLinkage {
@@ -235,7 +236,7 @@ impl Default for OneInput {
     }
 }
 
-fn one_input(fields: &mut Fields<'_>, input: Measures, driver: Measures) -> Option<OneInput> {
+fn read_one_input(fields: &mut Fields<'_>, input: Measures, driver: Measures) -> Option<OneInput> {
     let ends = PositionMeasures {
         output: input,
         driver,

@@ -43,11 +43,11 @@ impl Names {
 
     /// Fills in the coordinates that were read.
     pub(super) fn fill_in(&mut self, ground: &[NamedPoint], links: &[LinkSpec]) {
-        place(&mut self.ground, ground);
+        place_known_points(&mut self.ground, ground);
         for link in links {
             let known = self.links.iter_mut().find(|known| known.0 == link.name);
             if let Some((_, points)) = known {
-                place(points, &link.points);
+                place_known_points(points, &link.points);
             }
         }
     }
@@ -204,7 +204,7 @@ fn points(node: Option<&Node>) -> Points {
 }
 
 /// Puts known points into their places.
-fn place(points: &mut Points, known: &[NamedPoint]) {
+fn place_known_points(points: &mut Points, known: &[NamedPoint]) {
     for point in known {
         if let Some(found) = points.iter_mut().find(|other| other.name == point.name) {
             found.at = point.at;

@@ -89,7 +89,7 @@ pub(super) fn read(
                 fault.hints.push("choose another name".to_owned());
             }
             let output = slot.defined("linkage_output", |slot| {
-                output(slot, name, names, pairs, driving)
+                read_output(slot, name, names, pairs, driving)
             });
             output.filter(|_| free)
         })
@@ -97,7 +97,7 @@ pub(super) fn read(
     Some(outputs?.into_iter().unzip())
 }
 
-fn output(
+fn read_output(
     slot: Slot<'_>,
     name: &str,
     names: &Names,

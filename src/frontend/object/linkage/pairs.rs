@@ -72,12 +72,12 @@ fn read_joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<
             },
         );
         kind.case("sliding", "A block that slides along a guide.", |slot| {
-            let (guide, block, kind) = sliding(slot, names)?;
+            let (guide, block, kind) = read_sliding(slot, names)?;
             Some((guide, block, Kind::Pair(kind)))
         });
         let doc = "Two links rigidly joined, one body: no pair that moves, and no coordinate. \
                    `dam forces` prints its force and couple.";
-        kind.case("weld", doc, |slot| weld(slot, names));
+        kind.case("weld", doc, |slot| read_weld(slot, names));
         let kind = kind.finish();
         let doc = "Diameter of the pin, for friction; default 0";
         let diameter = fields.maybe("diameter", doc, |slot| {
@@ -122,7 +122,7 @@ fn read_joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<
 }
 
 /// Reads a weld: its point on both links, and how they are turned.
-fn weld(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, Kind)> {
+fn read_weld(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, Kind)> {
     slot.record(|fields| {
         let doc = "The weld's point on the first link, to which its force and couple refer.";
         let on = fields.need("on", doc, |slot| names.point(slot));
@@ -172,7 +172,7 @@ fn fits_a_block(fields: &mut Fields<'_>, friction: f64) -> bool {
     fits
 }
 
-fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)> {
+fn read_sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)> {
     slot.record(|fields| {
         let angle = |slot: Slot<'_>| slot.quantity(q::ANGLE, Bounds::ANY);
         let doc = "A point of the guide's axis, on the link that guides.";
@@ -197,7 +197,7 @@ fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)
         let (guide, block, through, corners) = (guide?, block?, through?, corners?);
         let direction = match (direction?, through) {
             (given, None) => given.unwrap_or(0.0),
-            (_, Some(through)) => towards(fields, guide, through)?,
+            (_, Some(through)) => read_direction_between(fields, guide, through)?,
         };
         fields.fill_in("direction", json!(direction));
         fields.fill_in("corners", json!(corners.unwrap_or(CORNERS)));
@@ -224,7 +224,7 @@ fn in_order(fields: &mut Fields<'_>, corners: Option<(f64, f64)>) -> bool {
 }
 
 /// Direction from one point of a guide to another one.
-fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
+fn read_direction_between(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
     if from.link != to.link {
         let message = "`through` must be a point of the same link as `guide`";
         fields.refuse("through", "contradiction", message);
@@ -243,13 +243,13 @@ fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
 }
 
 /// Reads `assembly`.
-pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<AssemblySpec>> {
+pub(super) fn read_assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<AssemblySpec>> {
     let doc =
         "How a group of links is put together, by one of its links: default by its branch `+`.";
     fields.or("assembly", doc, json!({}), |slot| {
         slot.values(|name, mut slot| {
             let link = names.link_named(&mut slot, name);
-            let choice = slot.defined("linkage_assembly", |slot| choice(slot, name, names));
+            let choice = slot.defined("linkage_assembly", |slot| read_choice(slot, name, names));
             Some(AssemblySpec {
                 link: link?,
                 choice: choice?,
@@ -258,7 +258,7 @@ pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<Ass
     })
 }
 
-fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
+fn read_choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
     slot.record(|fields| {
         let mut choice = fields.one_of("how it is put together");
         choice.case(
@@ -277,7 +277,7 @@ fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
             "near",
             "Its point is near this place at the start.",
             |slot| {
-                super::links::place(slot).map(|place| AssemblyChoice::Near {
+                super::links::read_point(slot).map(|place| AssemblyChoice::Near {
                     point: [0.0; 2],
                     place,
                 })

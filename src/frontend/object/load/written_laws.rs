@@ -1,12 +1,12 @@
 //! Loads that are expressions, or are made of one: harmonic loads, indicator diagrams.
 
-use super::{Axis, On, period};
+use super::{Axis, On, read_period};
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::measures::Measures;
 use crate::frontend::object::spec::{LoadLawSpec, WrittenSpec};
 use crate::frontend::object::written;
-use crate::frontend::read::{Bounds, OneOf, Slot, points};
+use crate::frontend::read::{Bounds, OneOf, Slot, read_points};
 use crate::math::expression::Expression;
 use crate::units::quantities as q;
 use serde_json::json;
@@ -22,7 +22,7 @@ pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
     if !matches!(on, On::Rotor(_)) {
         names.extend(builder::DRIVER);
     }
-    let names = written::with_over(names, axis.of_another);
+    let names = written::names_with_other_object(names, axis.of_another);
     let of = |expression| {
         LoadLawSpec::Written(WrittenSpec {
             expression,
@@ -33,24 +33,24 @@ pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
     law.case(
         "expression",
         "Expression over t, phi and phi_dot of the mass, driver_phi and driver_phi_dot, in s, rad or m: \"120*sin(2*pi*5*t)\".",
-        |slot| written::expression(slot, &names).map(of),
+        |slot| written::read_expression(slot, &names).map(of),
     );
     law.case(
         "harmonic",
         "Sine over time, or over the displacement of the driver or of the object `over`.",
-        |slot| harmonic(slot, own, axis).map(of),
+        |slot| read_harmonic(slot, own, axis).map(of),
     );
     if own.0 != Some(Coordinate::Turning) {
         law.case(
             "indicator",
             "Pressure on a piston over the displacement of the driver or of the object `over`: the indicator diagram of an engine or a compressor.",
-            |slot| indicator(slot, axis.measures),
+            |slot| read_indicator(slot, axis.measures),
         );
     }
 }
 
 /// mean + amplitude·sin(2π·frequency·t + phase), or of order·φ of the axis.
-fn harmonic(slot: Slot<'_>, own: Measures, axis: Axis) -> Option<Expression> {
+fn read_harmonic(slot: Slot<'_>, own: Measures, axis: Axis) -> Option<Expression> {
     slot.record(|fields| {
         let amplitude = fields.need("amplitude", "Amplitude", |slot| {
             slot.quantity(own.force(), Bounds::ANY)
@@ -91,17 +91,17 @@ fn harmonic(slot: Slot<'_>, own: Measures, axis: Axis) -> Option<Expression> {
             text = format!("{mean:?} + {text}");
         }
         let names = [("t", 0), (phi, variable)];
-        Expression::over(&text, &names).ok()
+        Expression::parse_over_names(&text, &names).ok()
     })
 }
 
 /// Pressure over the driver's displacement, times the area of the piston.
-fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
+fn read_indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let points = fields.need(
             "points",
             "List of [displacement of the driver or of `over`, pressure]: linear between the points.",
-            |slot| points(slot, driver.displacement(), q::PRESSURE, 2),
+            |slot| read_points(slot, driver.displacement(), q::PRESSURE, 2),
         );
         let doc = "Area of the piston; positive: the pressure pushes towards positive displacement";
         let area = fields.need("area", doc, |slot| slot.quantity(q::AREA, Bounds::NOT_ZERO));
@@ -110,7 +110,7 @@ fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
             slot.quantity(q::PRESSURE, Bounds::ANY)
         });
         let doc = "Repeats after this much of that displacement: 360 deg of a two-stroke, 720 deg of a four-stroke engine; default one turn of what turns";
-        let period = period(fields, driver, doc);
+        let period = read_period(fields, driver, doc);
         let (mut points, area, ambient, period) = (points?, area?, ambient?, period?);
         let turn = (driver.0 == Some(Coordinate::Turning)).then_some(TAU);
         let period = period.or(turn);

@@ -1,36 +1,36 @@
 //! Position functions of simple linkages.
 
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
-use crate::frontend::object::cam::phase;
+use crate::frontend::object::cam::read_phase;
 use crate::frontend::object::measures::Measures;
-use crate::frontend::object::measures::any;
+use crate::frontend::object::measures::read_quantity;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::position::{PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::units::quantities as q;
 use serde_json::json;
 
-fn length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
+fn read_length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
     fields.need(name, doc, |slot| slot.quantity(q::LENGTH, Bounds::POSITIVE))
 }
 
-fn branch(fields: &mut Fields<'_>, doc: &str) -> Option<f64> {
+fn read_branch(fields: &mut Fields<'_>, doc: &str) -> Option<f64> {
     fields.or("branch", doc, json!("+"), |slot| {
         slot.choice(&[("+", 1.0), ("-", -1.0)])
     })
 }
 
-pub(super) fn slider_crank(slot: Slot<'_>) -> Option<PositionSpec> {
+pub(super) fn read_slider_crank(slot: Slot<'_>) -> Option<PositionSpec> {
     slot.record(|fields| {
-        let crank = length(fields, "crank", "Crank radius r");
-        let rod = length(fields, "rod", "Connecting rod length l");
+        let crank = read_length(fields, "crank", "Crank radius r");
+        let rod = read_length(fields, "rod", "Connecting rod length l");
         let offset = fields.or(
             "offset",
             "Offset e of the guide from the crank's axis",
             json!(0.0),
-            any(q::LENGTH),
+            read_quantity(q::LENGTH),
         );
-        let branch = branch(fields, "Side of the crank's axis on which the slide runs.");
-        let phase = phase(fields);
+        let branch = read_branch(fields, "Side of the crank's axis on which the slide runs.");
+        let phase = read_phase(fields);
         Some(PositionSpec::SliderCrank {
             crank: crank?,
             rod: rod?,
@@ -41,14 +41,14 @@ pub(super) fn slider_crank(slot: Slot<'_>) -> Option<PositionSpec> {
     })
 }
 
-pub(super) fn four_bar(slot: Slot<'_>) -> Option<PositionSpec> {
+pub(super) fn read_four_bar(slot: Slot<'_>) -> Option<PositionSpec> {
     slot.record(|fields| {
-        let crank = length(fields, "crank", "Length of the driving crank");
-        let coupler = length(fields, "coupler", "Length of the coupler");
-        let rocker = length(fields, "rocker", "Length of the driven lever");
-        let frame = length(fields, "frame", "Distance of the fixed pivots");
-        let branch = branch(fields, "`+`: open, `-`: crossed.");
-        let phase = phase(fields);
+        let crank = read_length(fields, "crank", "Length of the driving crank");
+        let coupler = read_length(fields, "coupler", "Length of the coupler");
+        let rocker = read_length(fields, "rocker", "Length of the driven lever");
+        let frame = read_length(fields, "frame", "Distance of the fixed pivots");
+        let branch = read_branch(fields, "`+`: open, `-`: crossed.");
+        let phase = read_phase(fields);
         Some(PositionSpec::FourBar {
             crank: crank?,
             coupler: coupler?,
@@ -60,9 +60,9 @@ pub(super) fn four_bar(slot: Slot<'_>) -> Option<PositionSpec> {
     })
 }
 
-pub(super) fn slotted_link(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
+pub(super) fn read_slotted_link(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
     slot.record(|fields| {
-        let crank = length(fields, "crank", "Length of the crank");
+        let crank = read_length(fields, "crank", "Length of the crank");
         let frame = fields.need("frame", "Distance of the fixed pivots", |slot| {
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
         });
@@ -81,14 +81,14 @@ pub(super) fn slotted_link(slot: Slot<'_>, output: Measures) -> Option<PositionS
         let doc = "U: the angle of the slotted link or of the crank, or the distance of the block; default by the object: what turns follows the link, what slides the block.";
         let chosen = fields.maybe("output", doc, |slot| slot.choice(&outputs));
         let doc = "When the block drives: the crank turns counterclockwise (`+`) or clockwise (`-`) as the block moves away from the pivot of the slotted link.";
-        let branch = branch(fields, doc);
+        let branch = read_branch(fields, doc);
         let input = match driver {
             Some(SlottedDriver::Crank) => Measures(Some(Turning)),
             Some(SlottedDriver::Block) => Measures(Some(Sliding)),
             None => Measures(None),
         };
         let doc = "Added to the driver's displacement";
-        let phase = fields.or("phase", doc, json!(0.0), any(input.displacement()));
+        let phase = fields.or("phase", doc, json!(0.0), read_quantity(input.displacement()));
         let usual = match output.0 {
             Some(Sliding) => 2,
             _ => 0,

@@ -22,7 +22,7 @@ const SPLINE: f64 = 6.0;
 const MEDIAN: f64 = 0.6745;
 
 /// Warns of points whose scatter changes U″ by a noticeable share.
-pub(super) fn warn(fields: &mut Fields<'_>, points: &[(f64, f64)]) {
+pub(super) fn warn_of_scatter(fields: &mut Fields<'_>, points: &[(f64, f64)]) {
     let Some(share) = scatter_of_bending(points).filter(|share| *share > HARMLESS) else {
         return;
     };

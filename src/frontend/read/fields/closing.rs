@@ -3,7 +3,7 @@
 
 use super::{Fields, MissingProperty};
 use crate::frontend::diagnostics::Diagnostic;
-use crate::frontend::read::slot::{join, last_name};
+use crate::frontend::read::slot::{join_path, last_name};
 use crate::frontend::read::suggest::{closest, quoted_list};
 use crate::frontend::read::tree::Node;
 use serde_json::{Value as Json, json};
@@ -74,7 +74,7 @@ impl Fields<'_> {
                 format!("unknown property `{}`", member.name),
             )
             .at(member.name_place.clone())
-            .path(join(&self.path, &member.name));
+            .path(join_path(&self.path, &member.name));
             fault = match suggestion {
                 Some(found) => fault.hint(format!("did you mean `{found}`?")),
                 None => fault.hint(format!(
@@ -114,15 +114,15 @@ impl Fields<'_> {
         if !self.free {
             schema["additionalProperties"] = json!(false);
         }
-        let (several, required): (Vec<&str>, Vec<&str>) =
-            (self.required.iter().copied()).partition(|name| self.others(name).next().is_some());
+        let (several, required): (Vec<&str>, Vec<&str>) = (self.required.iter().copied())
+            .partition(|name| self.other_names(name).next().is_some());
         if !required.is_empty() {
             schema["required"] = json!(required);
         }
         let at_most_one = |name: &'static str| {
             let given = |one: &str| json!({ "required": [one] });
             let mut all = vec![given(name)];
-            all.extend(self.others(name).map(given));
+            all.extend(self.other_names(name).map(given));
             if !several.contains(&name) {
                 let any = all.clone();
                 all.push(json!({ "not": { "anyOf": any } }));

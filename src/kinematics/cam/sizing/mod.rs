@@ -217,7 +217,7 @@ impl DiscCam {
             let from = (self.geometry().base_radius + radius - least).max(0.0);
             return Ok(vec![BaseRange { from, to: None }]);
         }
-        let found = self.scan(|cam| cam.sharpness(radius, factor));
+        let found = self.scan(|cam| cam.smoothness_ratio(radius, factor));
         match found.ranges.is_empty() {
             false => Ok(found.ranges),
             true => {
@@ -232,7 +232,7 @@ impl DiscCam {
     }
 
     /// At most 1 where the profile is smooth enough.
-    fn sharpness(&self, radius: f64, factor: f64) -> f64 {
+    fn smoothness_ratio(&self, radius: f64, factor: f64) -> f64 {
         let [least, most] = self.curvature_extremes();
         match self.geometry().roller() {
             // Radius of curvature at least `radius`: no ratio, it may be negative.
@@ -310,7 +310,7 @@ impl DiscCam {
     pub fn pressure_excess(&self, limits: PressureLimits) -> Option<At> {
         let worst = self.pressure_share(limits);
         (worst.value > 1.0 + 1e-12).then(|| {
-            let (piece, phi): (&Piece, f64) = self.motion().locate(worst.phi);
+            let (piece, phi): (&Piece, f64) = self.motion().piece_at(worst.phi);
             At {
                 value: self.at(piece, phi).pressure_angle,
                 phi,

@@ -33,7 +33,7 @@ fn the_follower_of_an_eccentric_jumps_at_52_30_rpm() {
     let rpm = found.value * 60.0 / TAU;
     assert!((rpm - 52.30).abs() < 0.005, "{rpm}");
     approx::assert_abs_diff_eq!(
-        closing.least(spring, found.value).value,
+        closing.least_force(spring, found.value).value,
         0.0,
         epsilon = 1e-15
     );
@@ -57,9 +57,9 @@ fn damping_moves_the_jump_to_the_root_of_its_quadratic() {
         let LetsGo::At(found) = closing.separation_speed(spring, sense) else {
             panic!("it jumps");
         };
-        let least = closing.least(spring, sense * found.value);
+        let least = closing.least_force(spring, sense * found.value);
         approx::assert_abs_diff_eq!(least.value, 0.0, epsilon = 1e-13);
-        let slower = closing.least(spring, sense * found.value * 0.999);
+        let slower = closing.least_force(spring, sense * found.value * 0.999);
         assert!(slower.value > 0.0);
         // The place moves to where the follower comes back.
         assert!((found.phi - PI) * sense > 0.01, "{found:?}");
@@ -98,7 +98,11 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
     // At φ = π: 1.2·c ≥ 1; at φ = 0: 4 + 3 ≥ 0.8·c; between, P is linear in cos φ.
     approx::assert_relative_eq!(rates.from, 1.0 / 1.2, max_relative = 1e-11);
     approx::assert_relative_eq!(rates.to.unwrap(), 7.0 / 0.8, max_relative = 1e-11);
-    let least = |rate| closing.least(ClosingSpring { rate, preload }, speed).value;
+    let least = |rate| {
+        closing
+            .least_force(ClosingSpring { rate, preload }, speed)
+            .value
+    };
     assert!(least(rates.from).abs() < 1e-10 && least(5.0) > 0.0);
     // No stretch where it opens: no rate helps, and the force lacking is said.
     let stiff = |_: usize, phi: f64| Demand {
@@ -132,7 +136,7 @@ fn a_long_dwell_hides_no_greater_place() {
     };
     let closing = ClosureProblem::new(&pieces, &demand);
     let rate = 1.0;
-    let least = closing.least(ClosingSpring { rate, preload: 0.0 }, 1.0);
+    let least = closing.least_force(ClosingSpring { rate, preload: 0.0 }, 1.0);
     approx::assert_relative_eq!(least.value, -1e-4, max_relative = 1e-9);
     approx::assert_abs_diff_eq!(least.phi, 7.4183, epsilon = 1e-6);
 }

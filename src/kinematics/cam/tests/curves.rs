@@ -56,7 +56,7 @@ fn chords_keep_their_tolerance_and_do_not_waste_it() {
 /// Signed distance of the follower from the polygon when it stands `shift`
 /// further out than its law says: positive when clear of the cam.
 fn clearance(cam: &DiscCam, polygon: &Polygon, phi: f64, shift: f64) -> f64 {
-    let (piece, phi) = cam.motion().locate(phi);
+    let (piece, phi) = cam.motion().piece_at(phi);
     let now = cam.at(piece, phi);
     let points = polygon.points.iter().map(|p| cam.in_cam(*p, -phi));
     let direction = cam.geometry().direction;
@@ -120,7 +120,7 @@ fn a_follower_rolled_on_the_polygon_gives_its_law_back() {
         }
         let polygon = cam.polygon(cam.geometry().flanks()[0], tolerance).unwrap();
         for phi in places(&cam).step_by(3) {
-            let (piece, place) = cam.motion().locate(phi);
+            let (piece, place) = cam.motion().piece_at(phi);
             let lever = cam.at(piece, place).lever;
             let step = 2.0 * tolerance / lever;
             let sides = [step, -step].map(|shift| clearance(&cam, &polygon, phi, shift));
@@ -155,14 +155,14 @@ fn an_undercut_is_found_where_the_roller_is_greater_than_the_pitch_radius() {
     assert!(!undercuts.is_empty());
     for &[from, to] in &undercuts {
         for phi in [from, to] {
-            let (piece, phi) = cam.motion().locate(phi);
+            let (piece, phi) = cam.motion().piece_at(phi);
             approx::assert_relative_eq!(cam.at(piece, phi).pitch_radius, 0.03, max_relative = 1e-9);
         }
     }
     // Densely looked at, the pitch radius is below the roller's there alone.
     for step in 0..20_000 {
         let phi = f64::from(step) * std::f64::consts::TAU / 20_000.0;
-        let (piece, phi) = cam.motion().locate(phi);
+        let (piece, phi) = cam.motion().piece_at(phi);
         let radius = cam.at(piece, phi).pitch_radius;
         let sharp = radius > 0.0 && radius < 0.03;
         let inside = undercuts.iter().any(|[from, to]| {
@@ -180,7 +180,7 @@ fn an_undercut_is_found_where_the_roller_is_greater_than_the_pitch_radius() {
     assert!(!crossings.is_empty());
     for phi in crossings {
         let [p, q] = phi.map(|phi| {
-            let (piece, phi) = cam.motion().locate(phi);
+            let (piece, phi) = cam.motion().piece_at(phi);
             cam.curve_point(piece, phi, -0.03)
         });
         assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12, "{p:?} {q:?}");
@@ -273,7 +273,7 @@ fn soft_shocks_and_corners_are_listed_with_both_sides() {
     );
     // The roller rests in the hollow corner: an arc of its radius.
     let polygon = cam.polygon(-0.006, 1e-6).unwrap();
-    let (piece, _) = cam.motion().locate(0.0);
+    let (piece, _) = cam.motion().piece_at(0.0);
     let centre = cam.curve_point(piece, 0.0, 0.0);
     let arc = polygon.points.iter().zip(&polygon.angles);
     let arc: Vec<_> = arc
@@ -291,7 +291,7 @@ fn the_path_of_a_cutter_stands_off_the_profile() {
     let cam = DiscCam::new(&eccentric(0.008), &translating(0.03, 0.008, 0.004)).unwrap();
     let cutter = 0.012;
     for phi in places(&cam) {
-        let (piece, phi) = cam.motion().locate(phi);
+        let (piece, phi) = cam.motion().piece_at(phi);
         let (p, q) = (
             cam.curve_point(piece, phi, -0.008),
             cam.curve_point(piece, phi, cutter - 0.008),

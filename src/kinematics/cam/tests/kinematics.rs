@@ -6,12 +6,12 @@ use crate::kinematics::motion::LawName;
 use crate::kinematics::position::{FourBar, Position, SliderCrank};
 
 fn state(cam: &DiscCam, phi: f64) -> CamState {
-    let (piece, phi) = cam.motion().locate(phi);
+    let (piece, phi) = cam.motion().piece_at(phi);
     cam.at(piece, phi)
 }
 
 fn reference(cam: &DiscCam, phi: f64) -> [f64; 2] {
-    let (piece, phi) = cam.motion().locate(phi);
+    let (piece, phi) = cam.motion().piece_at(phi);
     cam.curve_point(piece, phi, 0.0)
 }
 
@@ -20,7 +20,7 @@ fn reference(cam: &DiscCam, phi: f64) -> [f64; 2] {
 fn assert_circle(cam: &DiscCam, offset: f64, radius: f64, distance: f64) {
     let points: Vec<[f64; 2]> = (0..60)
         .map(|i| {
-            let (piece, phi) = cam.motion().locate(f64::from(i) * 0.1047);
+            let (piece, phi) = cam.motion().piece_at(f64::from(i) * 0.1047);
             cam.curve_point(piece, phi, offset)
         })
         .collect();

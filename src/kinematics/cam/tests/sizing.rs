@@ -16,7 +16,7 @@ fn limits(outward: f64, inward: f64) -> PressureLimits {
 fn pressures(cam: &DiscCam) -> [f64; 2] {
     let mut worst = [0.0f64; 2];
     for step in 0..40_000 {
-        let (piece, phi) = cam.motion().locate(f64::from(step) * 1.570_796e-4);
+        let (piece, phi) = cam.motion().piece_at(f64::from(step) * 1.570_796e-4);
         let state = cam.at(piece, phi);
         let side = usize::from(state.first < 0.0);
         if state.first != 0.0 {
@@ -125,7 +125,7 @@ fn the_roller_is_limited_by_the_sharpest_place_of_the_pitch_curve() {
         let mut least = f64::INFINITY;
         let mut hollow = f64::INFINITY;
         for step in 0..40_000 {
-            let (piece, phi) = cam.motion().locate(f64::from(step) * 1.570_796e-4);
+            let (piece, phi) = cam.motion().piece_at(f64::from(step) * 1.570_796e-4);
             let radius = cam.at(piece, phi).pitch_radius;
             if radius > 0.0 {
                 least = least.min(radius);

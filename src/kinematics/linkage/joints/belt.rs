@@ -10,7 +10,7 @@ use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
 #[cfg(test)]
 use super::tests::Sample;
-use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
+use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, direction_and_distance, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::units::shown;
@@ -55,8 +55,8 @@ impl Kind for Belt {
         check_ratio(self.radii[0] / self.radii[1], path, faults);
     }
 
-    fn fits(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
-        let (_, apart) = towards(axes(coupling, pairs)?);
+    fn check_links(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
+        let (_, apart) = direction_and_distance(axes(coupling, pairs)?);
         let reach = (self.radii[0] - self.radii[1]).abs();
         if reach < apart {
             return Ok(());
@@ -69,7 +69,7 @@ impl Kind for Belt {
         Err(wrong(message, "give smaller diameters"))
     }
 
-    fn ready(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
+    fn to_joint(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
         TwoWheels::new(coupling, pairs, self.radii, press).map(Joint::Belt)
     }
 
@@ -84,7 +84,7 @@ impl Kind for Belt {
             .collect()
     }
 
-    fn following(&self) -> (&'static str, Following) {
+    fn link_following(&self) -> (&'static str, Following) {
         let [one, other] = self.radii;
         ("belt", Following::Turns(one / other))
     }
@@ -102,7 +102,7 @@ impl Kind for Belt {
 /// The two lines that touch both pulleys: on one side, or crossing where the second radius is
 /// negative.
 fn strands([a, b]: [[f64; 2]; 2], [r1, r2]: [f64; 2]) -> [[[f64; 2]; 2]; 2] {
-    let ([ux, uy], apart) = towards([a, b]);
+    let ([ux, uy], apart) = direction_and_distance([a, b]);
     let cos = (r1 - r2) / apart;
     // Crossed pulleys that touch or overlap have no free strands.
     let sin = (1.0 - cos * cos).max(0.0).sqrt();
@@ -118,7 +118,7 @@ fn strands([a, b]: [[f64; 2]; 2], [r1, r2]: [f64; 2]) -> [[[f64; 2]; 2]; 2] {
 /// Both strands together: a couple on each pulley, and a force across the line of centres where the
 /// strands are not parallel.
 fn press(axes: [[f64; 2]; 2], [r1, r2]: [f64; 2]) -> [Act; 2] {
-    let ([ux, uy], apart) = towards(axes);
+    let ([ux, uy], apart) = direction_and_distance(axes);
     let sense = r2.signum();
     let across = sense * (r1 - r2) / apart;
     let force = [-across * uy, across * ux];

@@ -48,7 +48,7 @@ impl Mismatch {
 }
 
 /// Both wheels and their carrier are different links.
-pub(super) fn distinct(coupling: &CouplingSpec) -> Result<(), Mismatch> {
+pub(super) fn require_distinct_links(coupling: &CouplingSpec) -> Result<(), Mismatch> {
     let [one, other, carrier] = coupling.links();
     let hint = "name two wheels and the link that carries both";
     match () {
@@ -60,7 +60,7 @@ pub(super) fn distinct(coupling: &CouplingSpec) -> Result<(), Mismatch> {
 
 /// The axes of both wheels in the frame of the carrier (m), which do not coincide.
 pub(super) fn axes(coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<[[f64; 2]; 2], Mismatch> {
-    distinct(coupling)?;
+    require_distinct_links(coupling)?;
     let [one, other, carrier] = coupling.links();
     let axis = |wheel| axis(pairs, carrier, wheel).ok_or(Mismatch::no_axis(wheel));
     let axes = [axis(one)?, axis(other)?];
@@ -74,7 +74,10 @@ pub(super) fn axes(coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<[[f64;
 }
 
 /// How pairs are joined to a link: the points of this link and of the other, and the other.
-fn ends(pair: &PairSpec, link: Option<usize>) -> Option<([f64; 2], Option<usize>, [f64; 2])> {
+fn points_of_pair(
+    pair: &PairSpec,
+    link: Option<usize>,
+) -> Option<([f64; 2], Option<usize>, [f64; 2])> {
     let (on, to) = (pair.on, pair.link);
     match (on.link == link, to.link == link) {
         (true, _) => Some((on.at, to.link, to.at)),
@@ -103,7 +106,7 @@ pub(super) fn axis(
     wheel: Option<usize>,
 ) -> Option<[f64; 2]> {
     let pins = pairs.iter().filter(|pair| !pair.slides());
-    let mut starts = pins.filter_map(|pin| ends(pin, carrier));
+    let mut starts = pins.filter_map(|pin| points_of_pair(pin, carrier));
     let leads = |&(_, link, at): &(_, _, [f64; 2])| {
         // On one axis a link has one point.
         leads(pairs, (link, at), wheel, &mut vec![carrier])
@@ -125,7 +128,7 @@ fn leads(
     seen.push(link);
     let mut pins = pairs.iter().filter(|pair| !pair.slides());
     pins.any(|pin| {
-        let Some((own, next, there)) = ends(pin, link) else {
+        let Some((own, next, there)) = points_of_pair(pin, link) else {
             return false;
         };
         let apart = (own[0] - at[0]).hypot(own[1] - at[1]);

@@ -37,12 +37,12 @@ pub(in crate::kinematics::linkage) trait Constraint {
 
     /// What a unit of its force does to the first and the second link: the forces of the row, of
     /// length one. A kind whose forces pass through the pins of a carrier has its own.
-    fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
+    fn unit_force_acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
         let mut acts = [Act::default(); 2];
         self.rows(links, |_, link, wrench| {
             if let (Some(act), Wrench::Force { at, force }) = (acts.get_mut(link), wrench) {
                 let [x, y] = force.value();
-                let size = self.sense() * x.hypot(y);
+                let size = self.sign_of_force() * x.hypot(y);
                 act.at = at.value();
                 act.force = [x / size, y / size];
             }
@@ -51,7 +51,7 @@ pub(in crate::kinematics::linkage) trait Constraint {
     }
 
     /// −1 where a positive force makes the closing error smaller.
-    fn sense(&self) -> f64 {
+    fn sign_of_force(&self) -> f64 {
         1.0
     }
 
@@ -93,7 +93,7 @@ impl Measure {
 
     /// What velocities (ω, v over the size) contribute to the rate of that number.
     #[inline(always)]
-    pub(in crate::kinematics::linkage) fn entries<const K: usize, T: Number>(
+    pub(in crate::kinematics::linkage) fn velocity_terms<const K: usize, T: Number>(
         self,
         [moment, x, y]: [Series<K, T>; 3],
         size: f64,
@@ -140,7 +140,10 @@ impl<const K: usize, T: Number> Wrench<K, T> {
 
     /// Its moment about a point and its force.
     #[inline(always)]
-    pub(in crate::kinematics::linkage) fn about(self, point: Vector<K, T>) -> [Series<K, T>; 3] {
+    pub(in crate::kinematics::linkage) fn moment_and_force_about(
+        self,
+        point: Vector<K, T>,
+    ) -> [Series<K, T>; 3] {
         match self {
             Self::Force { at, force } => [(at - point).cross(force), force.x, force.y],
             Self::Couple(_) => self.about_origin(),
@@ -181,7 +184,10 @@ impl Act {
 
     /// Its force, and its moment about a point.
     #[inline(always)]
-    pub(in crate::kinematics::linkage) fn about(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+    pub(in crate::kinematics::linkage) fn moment_and_force_about(
+        &self,
+        [x, y]: [f64; 2],
+    ) -> [f64; 3] {
         let [fx, fy] = self.force;
         [
             fx,

@@ -11,7 +11,7 @@ use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
 #[cfg(test)]
 use super::tests::Sample;
-use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
+use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, direction_and_distance, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 
@@ -62,7 +62,7 @@ impl Kind for Gear {
         check_ratio(self.ratio, path, faults);
     }
 
-    fn fits(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
+    fn check_links(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
         axes(coupling, pairs)?;
         if self.ratio == 1.0 {
             let message = "internal gears of the same size cannot roll on each other".to_owned();
@@ -71,7 +71,7 @@ impl Kind for Gear {
         Ok(())
     }
 
-    fn ready(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
+    fn to_joint(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
         TwoWheels::new(coupling, pairs, [self.ratio, 1.0], press).map(Joint::Gear)
     }
 
@@ -80,11 +80,11 @@ impl Kind for Gear {
         let Ok(axes) = axes(coupling, pairs) else {
             return Vec::new();
         };
-        let unit = towards(axes).1 / (self.ratio - 1.0);
+        let unit = direction_and_distance(axes).1 / (self.ratio - 1.0);
         circles(coupling, pairs, [self.ratio * unit, unit]).collect()
     }
 
-    fn following(&self) -> (&'static str, Following) {
+    fn link_following(&self) -> (&'static str, Following) {
         ("gears", Following::Turns(self.ratio))
     }
 
@@ -99,7 +99,7 @@ impl Kind for Gear {
 /// At the pitch point both gears have one velocity, seen from the carrier: it divides the distance
 /// of their axes.
 fn press(axes: [[f64; 2]; 2], [ratio, _]: [f64; 2]) -> [Act; 2] {
-    let ([ux, uy], apart) = towards(axes);
+    let ([ux, uy], apart) = direction_and_distance(axes);
     let reach = apart * ratio / (ratio - 1.0);
     let at = [axes[0][0] + reach * ux, axes[0][1] + reach * uy];
     // To the left of the line of centres, or to the right: so that the second gear turns forwards.

@@ -38,7 +38,7 @@ impl Constraint for BlockOnGuide {
         let turned = along.dot(j.direction.turn_constant(block.along));
         add(0, 0, Wrench::Couple(-turned));
         add(0, 1, Wrench::Couple(turned));
-        let (at, force) = (j.place(block.point), along.left());
+        let (at, force) = (j.place(block.point), along.turned_left());
         add(1, 0, Wrench::Force { at, force: -force });
         add(1, 1, Wrench::Force { at, force });
     }

@@ -81,13 +81,13 @@ impl CouplingSpec {
     }
 
     /// How its links follow each other, and what it is called.
-    pub(crate) fn following(&self) -> (&'static str, Following) {
-        self.kind.as_kind().following()
+    pub(crate) fn link_following(&self) -> (&'static str, Following) {
+        self.kind.as_kind().link_following()
     }
 
     /// Made ready, having been checked.
-    pub(super) fn ready(&self, pairs: &[PairSpec]) -> Option<Joint> {
-        self.kind.as_kind().ready(self, pairs)
+    pub(super) fn to_joint(&self, pairs: &[PairSpec]) -> Option<Joint> {
+        self.kind.as_kind().to_joint(self, pairs)
     }
 }
 
@@ -108,10 +108,10 @@ pub(in crate::kinematics::linkage) trait Kind {
     fn check(&self, path: &str, faults: &mut Faults);
 
     /// Whether the links are joined as it needs.
-    fn fits(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch>;
+    fn check_links(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch>;
 
     /// Made ready, having been checked.
-    fn ready(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint>;
+    fn to_joint(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint>;
 
     /// What it looks like, having been checked.
     fn outlines(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Vec<Outline>;
@@ -120,7 +120,7 @@ pub(in crate::kinematics::linkage) trait Kind {
     fn words(&self) -> Words;
 
     /// How its links follow each other, and what it is called.
-    fn following(&self) -> (&'static str, Following);
+    fn link_following(&self) -> (&'static str, Following);
 
     /// The points at which it joins its links.
     fn points(&self, _wheels: [Option<usize>; 2]) -> Vec<PointOf> {
@@ -251,7 +251,7 @@ macro_rules! each_joint {
             /// What a unit of its force does to the first and the second link.
             pub(super) fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
                 match self {
-                    $(Self::$Kind(own) => own.acts(links)),*
+                    $(Self::$Kind(own) => own.unit_force_acts(links)),*
                 }
             }
         }

@@ -5,7 +5,7 @@
 
 use super::super::elements::elements;
 use super::super::spec::pair::PairSpec;
-use super::carrier::{Mismatch, axis, distinct, guide};
+use super::carrier::{Mismatch, axis, guide, require_distinct_links};
 use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader, MissingCarrier};
@@ -61,11 +61,11 @@ fn samples() -> Vec<Sample> {
 }
 
 /// The gear's axis on the carrier (m), and the guide of the rack.
-fn place<'a>(
+fn axis_and_rail<'a>(
     coupling: &CouplingSpec,
     pairs: &'a [PairSpec],
 ) -> Result<([f64; 2], &'a PairSpec), Mismatch> {
-    distinct(coupling)?;
+    require_distinct_links(coupling)?;
     let [wheel, rack, carrier] = coupling.links();
     let axis = axis(pairs, carrier, wheel).ok_or(Mismatch::no_axis(wheel))?;
     let lacking = Mismatch::Apart(rack, |rack, carrier| {
@@ -80,12 +80,12 @@ impl Kind for Rack {
         check_ratio(self.radius, path, faults);
     }
 
-    fn fits(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
-        place(coupling, pairs).map(|_| ())
+    fn check_links(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
+        axis_and_rail(coupling, pairs).map(|_| ())
     }
 
-    fn ready(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
-        let (axis, guide) = place(coupling, pairs).ok()?;
+    fn to_joint(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
+        let (axis, guide) = axis_and_rail(coupling, pairs).ok()?;
         let [on, block] = elements(guide);
         let of_carrier = on.link == coupling.carrier;
         Some(Joint::Rack(RackAndWheel {
@@ -100,7 +100,7 @@ impl Kind for Rack {
 
     /// The gear's pitch circle and the pitch line.
     fn outlines(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Vec<Outline> {
-        let Ok((on_carrier, guide)) = place(coupling, pairs) else {
+        let Ok((on_carrier, guide)) = axis_and_rail(coupling, pairs) else {
             return Vec::new();
         };
         let carrier = coupling.carrier;
@@ -111,7 +111,7 @@ impl Kind for Rack {
         circle.into_iter().chain([line]).collect()
     }
 
-    fn following(&self) -> (&'static str, Following) {
+    fn link_following(&self) -> (&'static str, Following) {
         ("rack", Following::Slides(self.radius))
     }
 
@@ -192,7 +192,7 @@ impl Constraint for RackAndWheel {
         add(0, 2, Wrench::couple(self.radius));
     }
 
-    fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
+    fn unit_force_acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
         let along = links.frame(self.sides[0]).direction;
         let along = along.turn_constant(self.along).value();
         let axis = links.frame(2).place(self.axis).value();

@@ -127,7 +127,9 @@ impl Sample {
             kind: self.kind.clone(),
             offset: 0.3,
         };
-        coupling.ready(&self.pairs).expect("its links are joined")
+        coupling
+            .to_joint(&self.pairs)
+            .expect("its links are joined")
     }
 }
 
@@ -163,7 +165,7 @@ fn all() -> Vec<(&'static str, Joint)> {
 fn gradients<const K: usize>(joint: &Joint, links: &Links<K>) -> Vec<[[Series<K>; 3]; 3]> {
     let mut found = vec![[[Series::constant(0.0); 3]; 3]; joint.shape().rows.len()];
     joint.rows(links, |row, link, wrench| {
-        let [moment, x, y] = wrench.about(links.frame(link).at);
+        let [moment, x, y] = wrench.moment_and_force_about(links.frame(link).at);
         for (sum, part) in found[row][link].iter_mut().zip([x, y, moment]) {
             *sum = *sum + part;
         }

@@ -90,7 +90,7 @@ impl Constraint for TwoWheels {
         add(0, 2, Wrench::couple(self.ratio - 1.0));
     }
 
-    fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
+    fn unit_force_acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
         let carrier = links.frame(2);
         let axes = self.axes.map(|at| carrier.place(at).value());
         (self.press)(axes, self.sizes)
@@ -98,7 +98,7 @@ impl Constraint for TwoWheels {
 }
 
 /// Direction from one point to another, and their distance.
-pub(super) fn towards([one, other]: [[f64; 2]; 2]) -> ([f64; 2], f64) {
+pub(super) fn direction_and_distance([one, other]: [[f64; 2]; 2]) -> ([f64; 2], f64) {
     let [x, y] = [other[0] - one[0], other[1] - one[1]];
     let apart = x.hypot(y);
     ([x / apart, y / apart], apart)

@@ -127,7 +127,7 @@ impl Kinetostatics {
         let mut solved = self.solve_with_friction(options, w)?;
         solved.condition = condition;
         let scale = self.inertia_scale;
-        w.acceleration = w.unknowns[self.size() - 1] / scale;
+        w.acceleration = w.unknowns[self.equations_count() - 1] / scale;
         w.others.iter_mut().for_each(|other| *other /= scale);
         w.drive = drive;
         Ok(solved)
@@ -135,7 +135,7 @@ impl Kinetostatics {
 
     /// A singular matrix without inertia is no dead-centre position.
     fn why_singular(&self, failure: ForceFailure, w: &ForceWorkspace) -> ForceFailure {
-        let none = (0..self.size()).all(|row| self.inertia_row(row, w) == 0.0);
+        let none = (0..self.equations_count()).all(|row| self.inertia_row(row, w) == 0.0);
         if none && failure != ForceFailure::NotFinite {
             ForceFailure::NoInertia
         } else {

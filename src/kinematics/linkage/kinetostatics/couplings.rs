@@ -46,7 +46,7 @@ impl Kinetostatics {
     /// The force of a coupling at the position solved last.
     pub fn coupling_force(&self, coupling: usize, w: &ForceWorkspace) -> CouplingForce {
         let size = self.coupling_size(coupling, w);
-        let [_, (_, second)] = self.acts(coupling, &w.links);
+        let [_, (_, second)] = self.unit_force_acts(coupling, &w.links);
         CouplingForce {
             size,
             force: second.force.map(|part| size * part),
@@ -65,7 +65,7 @@ impl Kinetostatics {
         (links, centres): (&[LinkPosition], &[PointPosition]),
         mut add: impl FnMut(usize, f64),
     ) {
-        for (link, act) in self.acts(coupling, links) {
+        for (link, act) in self.unit_force_acts(coupling, links) {
             self.each_row_on(link, &act, centres, &mut add);
         }
     }
@@ -75,7 +75,7 @@ impl Kinetostatics {
     pub(super) fn add_couplings_on_frame(&self, w: &ForceWorkspace, sum: &mut [f64; 3]) {
         for coupling in 0..self.spec.couplings.len() {
             let size = self.coupling_size(coupling, w);
-            let acts = self.acts(coupling, &w.links);
+            let acts = self.unit_force_acts(coupling, &w.links);
             for (_, act) in acts.iter().filter(|(link, _)| link.is_none()) {
                 add_on_frame(act, size, sum);
             }
@@ -83,7 +83,11 @@ impl Kinetostatics {
     }
 
     /// What a unit of a coupling's force does to its two links.
-    fn acts(&self, coupling: usize, links: &[LinkPosition]) -> [(Option<usize>, Act); 2] {
+    fn unit_force_acts(
+        &self,
+        coupling: usize,
+        links: &[LinkPosition],
+    ) -> [(Option<usize>, Act); 2] {
         let spec = &self.spec.couplings[coupling];
         let of = spec.links();
         let acts = self.coupled[coupling].acts(&PlacedCoupling { of, links });
@@ -93,7 +97,7 @@ impl Kinetostatics {
 
 /// Adds so many times of what acts on the ground: force, and moment about its origin.
 pub(super) fn add_on_frame(act: &Act, times: f64, sum: &mut [f64; 3]) {
-    for (sum, part) in sum.iter_mut().zip(act.about([0.0; 2])) {
+    for (sum, part) in sum.iter_mut().zip(act.moment_and_force_about([0.0; 2])) {
         *sum += times * part;
     }
 }
@@ -101,6 +105,6 @@ pub(super) fn add_on_frame(act: &Act, times: f64, sum: &mut [f64; 3]) {
 /// The couplings made ready, having been checked.
 pub(super) fn coupled(spec: &LinkageSpec) -> Vec<Joint> {
     let all = spec.couplings.iter();
-    all.filter_map(|coupling| coupling.ready(&spec.pairs))
+    all.filter_map(|coupling| coupling.to_joint(&spec.pairs))
         .collect()
 }

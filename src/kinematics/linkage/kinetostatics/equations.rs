@@ -16,7 +16,7 @@ use crate::kinematics::linkage::multi::spec::InputCoordinate;
 impl Kinetostatics {
     /// Writes W and factorises it; false if it is singular.
     pub(super) fn factorise(&self, unknown: Unknown, w: &mut ForceWorkspace) -> bool {
-        let size = self.size();
+        let size = self.equations_count();
         w.factors.clear(size);
         for index in 0..self.spec.pairs.len() {
             for (which, wrench) in self
@@ -147,7 +147,7 @@ impl Kinetostatics {
         mut add: impl FnMut(usize, f64),
     ) {
         let Some(link) = link else { return };
-        let [x, y, moment] = act.about(centres[link].place);
+        let [x, y, moment] = act.moment_and_force_about(centres[link].place);
         add(3 * link, x);
         add(3 * link + 1, y);
         add(3 * link + 2, moment / self.length);
@@ -207,14 +207,14 @@ impl Kinetostatics {
             w.forces[index] = 0.0;
             for wrench in found.into_iter().flatten() {
                 w.forces[index] += wrench.generalised(&w.links);
-                self.apply(&wrench, w);
+                self.add_wrench(&wrench, w);
             }
         }
         self.apply_output_loads(w);
     }
 
     /// Adds a wrench to P.
-    pub(super) fn apply(&self, wrench: &Wrench, w: &mut ForceWorkspace) {
+    pub(super) fn add_wrench(&self, wrench: &Wrench, w: &mut ForceWorkspace) {
         let applied = &mut w.applied;
         self.each_row_of(wrench, &w.centres, |row, value| applied[row] += value);
     }
@@ -255,7 +255,7 @@ impl Kinetostatics {
         right_side: impl Fn(usize, &ForceWorkspace) -> f64,
         w: &mut ForceWorkspace,
     ) {
-        let (size, width) = (self.size(), 1 + w.columns);
+        let (size, width) = (self.equations_count(), 1 + w.columns);
         w.right.clear();
         w.right.resize(size * width, 0.0);
         for row in 0..size {

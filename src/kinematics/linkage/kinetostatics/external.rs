@@ -62,7 +62,7 @@ pub(super) fn wrenches(
             follows,
         } => {
             let force = match point.link {
-                Some(link) if *follows => links[link].turned(*force),
+                Some(link) if *follows => links[link].vector_in_ground(*force),
                 _ => *force,
             };
             let at = point_of(links, point);

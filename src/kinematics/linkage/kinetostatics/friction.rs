@@ -58,7 +58,7 @@ impl Law {
     }
 
     /// The greatest friction along the sliding that two reactions allow.
-    pub(super) fn limit(self, [a, b]: [f64; 2]) -> f64 {
+    pub(super) fn greatest_friction(self, [a, b]: [f64; 2]) -> f64 {
         match self {
             Self::Pin(factor) => factor.abs() * (a * a + b * b).sqrt(),
             Self::Guide([along, _]) => along.abs() * (a.abs() + b.abs()),
@@ -159,7 +159,7 @@ pub(super) fn sign(x: f64) -> f64 {
 /// coordinate by the input coordinate; `scales` the size below which each of
 /// them is rounding; `direction` the sign of the input speed.
 #[inline]
-pub(super) fn sense(rates: [f64; 3], scales: [f64; 3], direction: f64) -> f64 {
+pub(super) fn sliding_sign(rates: [f64; 3], scales: [f64; 3], direction: f64) -> f64 {
     let [rate, slope, curvature] = rates;
     if rate.abs() > scales[0] {
         rate.signum() * direction

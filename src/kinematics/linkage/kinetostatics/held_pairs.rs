@@ -33,7 +33,7 @@ pub(super) struct SeveralForces {
 
 impl SeveralForces {
     /// A·G·Aᵀ of two pairs.
-    pub(super) fn between(&self, one: usize, other: usize, inputs: usize) -> f64 {
+    pub(super) fn compliance_between(&self, one: usize, other: usize, inputs: usize) -> f64 {
         let [one, other] = [one, other].map(|pair| &self.rates[pair * inputs..(pair + 1) * inputs]);
         let rows = self.mobility.chunks_exact(inputs);
         one.iter()
@@ -47,13 +47,13 @@ impl SeveralForces {
         let first = self.factor.len();
         for index in 0..self.held.len() {
             let start = index * (index + 1) / 2;
-            let mut sum = self.between(self.held[index], pair, inputs);
+            let mut sum = self.compliance_between(self.held[index], pair, inputs);
             for k in 0..index {
                 sum -= self.factor[start + k] * self.factor[first + k];
             }
             self.factor.push(sum / self.factor[start + index]);
         }
-        let whole = self.between(pair, pair, inputs);
+        let whole = self.compliance_between(pair, pair, inputs);
         let rest = self.factor[first..]
             .iter()
             .fold(whole, |sum, x| sum - x * x);
@@ -79,11 +79,11 @@ impl SeveralForces {
             for (index, &held) in self.held.iter().enumerate() {
                 let row = &self.factor[index * (index + 1) / 2..];
                 let known: f64 = found.iter().zip(row).map(|(x, f)| x * f).sum();
-                found.push((self.between(held, pair, inputs) - known) / row[index]);
+                found.push((self.compliance_between(held, pair, inputs) - known) / row[index]);
             }
             found
         };
-        self.between(one, other, inputs) - dot(&forward(one), &forward(other))
+        self.compliance_between(one, other, inputs) - dot(&forward(one), &forward(other))
     }
 
     /// (A·G·Aᵀ)⁻¹ of the held pairs on numbers, in place.

@@ -47,7 +47,7 @@ impl Indeterminate {
     }
 
     /// Takes in what is left open at another position.
-    pub fn join(&mut self, other: &Self) {
+    pub fn merge_with(&mut self, other: &Self) {
         let join = |own: &mut Vec<bool>, other: &[bool]| {
             own.resize(other.len(), false);
             for (own, other) in own.iter_mut().zip(other) {
@@ -161,7 +161,7 @@ impl Kinetostatics {
 
     /// Unknowns that take part in a state of self-stress.
     fn in_self_stress(&self, w: &ForceWorkspace) -> Vec<bool> {
-        let (size, count) = (self.size(), self.redundant);
+        let (size, count) = (self.equations_count(), self.redundant);
         let mut states = vec![0.0; size * count];
         for k in 0..count {
             states[(size - count + k) * count + k] = 1.0;

@@ -28,7 +28,7 @@ impl ForceWorkspace {
         if self.terms.iter().any(held) || !self.right.iter().all(|value| value.is_finite()) {
             return false;
         }
-        let [looked_at, bounded] = self.split();
+        let [looked_at, bounded] = self.split_terms();
         let bounds = self.bounds(&bounded);
         let count: usize = looked_at.iter().map(|(_, corners)| corners.len()).product();
         let mut sign = 0.0;
@@ -47,7 +47,7 @@ impl ForceWorkspace {
 
     /// The terms whose corners are looked at, with these, and those that are bounded: the
     /// strongest come first.
-    fn split(&self) -> [Vec<(usize, Vec<[f64; 2]>)>; 2] {
+    fn split_terms(&self) -> [Vec<(usize, Vec<[f64; 2]>)>; 2] {
         let strength = |index: usize| {
             let term = &self.terms[index];
             let factor = match term.law {

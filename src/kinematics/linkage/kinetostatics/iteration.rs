@@ -56,7 +56,7 @@ impl ForceWorkspace {
         self.next.clear();
         self.next.resize(self.columns, 0.0);
         self.react();
-        self.bare = self.scale();
+        self.bare = self.greatest_magnitude();
     }
 
     /// Rounding error of F.
@@ -76,14 +76,14 @@ impl ForceWorkspace {
             return (course, true);
         }
         course.method = Method::Plain;
-        if self.iterate(1.0, tolerance, cap, &mut course) {
+        if self.iterate_forces(1.0, tolerance, cap, &mut course) {
             return (course, true);
         }
         for damping in DAMPINGS {
             self.without_friction();
             course.method = Method::Damped;
             let cap = (cap as f64 / damping) as usize;
-            if self.iterate(damping, tolerance, cap, &mut course) {
+            if self.iterate_forces(damping, tolerance, cap, &mut course) {
                 return (course, true);
             }
         }
@@ -95,7 +95,13 @@ impl ForceWorkspace {
 
     /// τ ← τ + part·(f(F) − τ) until F stands still; false if it does not. An
     /// iteration that converges slowly is taken to its end by Newton's method.
-    fn iterate(&mut self, part: f64, tolerance: f64, cap: usize, course: &mut Convergence) -> bool {
+    fn iterate_forces(
+        &mut self,
+        part: f64,
+        tolerance: f64,
+        cap: usize,
+        course: &mut Convergence,
+    ) -> bool {
         let mut before = [f64::INFINITY; 2];
         let mut rest = f64::INFINITY;
         for _ in 0..cap {
@@ -104,7 +110,7 @@ impl ForceWorkspace {
                 *tau += part * (next - *tau);
             }
             let change = self.react();
-            let scale = self.scale();
+            let scale = self.greatest_magnitude();
             course.iterations += 1;
             course.change = if scale > 0.0 { change / scale } else { 0.0 };
             if !(change.is_finite() && scale < TOO_GREAT) {
@@ -119,16 +125,16 @@ impl ForceWorkspace {
                 f64::INFINITY
             };
             if change <= tolerance * scale + self.rounding() {
-                return ratio < 0.5 || self.polish(AT_STANDSTILL * scale, course);
+                return ratio < 0.5 || self.refine_by_newton(AT_STANDSTILL * scale, course);
             }
             before = [change, before[0]];
         }
-        let scale = self.scale();
-        rest <= NEARLY * scale && self.polish(3.0 * rest + AT_STANDSTILL * scale, course)
+        let scale = self.greatest_magnitude();
+        rest <= NEARLY * scale && self.refine_by_newton(3.0 * rest + AT_STANDSTILL * scale, course)
     }
 
     /// A few steps of Newton's method; false if they lead farther than `near`.
-    fn polish(&mut self, near: f64, course: &mut Convergence) -> bool {
+    fn refine_by_newton(&mut self, near: f64, course: &mut Convergence) -> bool {
         let [kept, _] = &mut self.scratch;
         kept.clear();
         kept.extend_from_slice(&self.friction);
@@ -145,7 +151,7 @@ impl ForceWorkspace {
         self.react();
         for _ in 0..NEWTON {
             self.update_friction();
-            let scale = self.scale();
+            let scale = self.greatest_magnitude();
             let mut residual = 0.0f64;
             for a in 0..self.columns {
                 self.next[a] -= self.friction[a];

@@ -130,7 +130,7 @@ impl Kinetostatics {
         if spec.driver >= spec.pairs.len() {
             return Err(vec![Fault::new("driver", "there is no such pair", "")]);
         }
-        Ok(Self::driven(
+        Ok(Self::with_drivers(
             spec,
             vec![InputCoordinate::Pair(spec.driver)],
             false,
@@ -145,10 +145,10 @@ impl Kinetostatics {
     pub fn of_inputs(spec: &MultiSpec) -> Result<Self, Vec<Fault>> {
         check(&spec.linkage, spec.inputs.len())?;
         let drivers = spec.inputs.iter().map(|input| input.coordinate);
-        Ok(Self::driven(&spec.linkage, drivers.collect(), true))
+        Ok(Self::with_drivers(&spec.linkage, drivers.collect(), true))
     }
 
-    fn driven(spec: &LinkageSpec, drivers: Vec<InputCoordinate>, over_time: bool) -> Self {
+    fn with_drivers(spec: &LinkageSpec, drivers: Vec<InputCoordinate>, over_time: bool) -> Self {
         let length = length_scale(spec);
         let inertia = spec.links.iter().fold(0.0f64, |most, link| {
             most.max(link.mass * length).max(link.moment / length)
@@ -197,7 +197,7 @@ impl Kinetostatics {
     }
 
     /// Number of equations: three a link, one for each unknown that is zero.
-    fn size(&self) -> usize {
+    fn equations_count(&self) -> usize {
         3 * self.spec.links.len() + self.redundant
     }
 

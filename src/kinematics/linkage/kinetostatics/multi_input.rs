@@ -72,7 +72,7 @@ impl Kinetostatics {
         self.carry_outputs(w);
         let mut bare = std::mem::take(&mut w.several.bare);
         bare.clear();
-        bare.extend((0..self.size()).map(|row| self.bias_row(row, w) - w.applied[row]));
+        bare.extend((0..self.equations_count()).map(|row| self.bias_row(row, w) - w.applied[row]));
         // Other questions to the same memory know nothing of inertias on outputs.
         w.carried.iter_mut().for_each(Vec::clear);
         self.rates_by_inputs(motion, w);
@@ -86,7 +86,7 @@ impl Kinetostatics {
 
     /// A and B.
     fn rates_by_inputs(&self, motion: &MultiMotion, w: &mut ForceWorkspace) {
-        let (inputs, size) = (self.drivers.len(), self.size());
+        let (inputs, size) = (self.drivers.len(), self.equations_count());
         let mut several = std::mem::take(&mut w.several);
         several.rates.resize(self.spec.pairs.len() * inputs, 0.0);
         for (pair, rates) in several.rates.chunks_exact_mut(inputs).enumerate() {
@@ -165,7 +165,7 @@ impl Kinetostatics {
         if !w.several.extend_factor(pair, self.drivers.len()) {
             return;
         }
-        let holding = self.size() + w.several.held.len() - 1;
+        let holding = self.equations_count() + w.several.held.len() - 1;
         if let Law::Guide([along, couple]) = law {
             let couple = couple / along;
             w.add_term(pair, Law::HeldGuide { couple, holding });
@@ -198,7 +198,7 @@ impl Kinetostatics {
 
     /// What every multiplier does.
     fn holding_columns(&self, w: &mut ForceWorkspace) {
-        let size = self.size();
+        let size = self.equations_count();
         let mut holding = std::mem::take(&mut w.several.holding);
         holding.resize(w.several.held.len() * size, 0.0);
         for (index, column) in holding.chunks_exact_mut(size).enumerate() {
@@ -209,7 +209,7 @@ impl Kinetostatics {
 
     /// F₀ and K, the multipliers eliminated; their rows stand behind those of F.
     fn friction_columns(&self, w: &mut ForceWorkspace) {
-        let (size, inputs, width) = (self.size(), self.drivers.len(), w.width());
+        let (size, inputs, width) = (self.equations_count(), self.drivers.len(), w.width());
         let held = w.several.held.len();
         let mut right = std::mem::take(&mut w.right);
         right.clear();
@@ -235,7 +235,7 @@ impl Kinetostatics {
             }
             self.response(pair, &mut column, w);
             for (share, &other) in shares.iter_mut().zip(&w.several.held) {
-                *share = -self.units[pair] * w.several.between(other, pair, inputs);
+                *share = -self.units[pair] * w.several.compliance_between(other, pair, inputs);
             }
             self.put_column(1 + term.column, &mut column, &mut shares, &mut right, w);
             if term.width() > 1 {
@@ -266,7 +266,7 @@ impl Kinetostatics {
         right: &mut [f64],
         w: &ForceWorkspace,
     ) {
-        let (size, width) = (self.size(), w.width());
+        let (size, width) = (self.equations_count(), w.width());
         self.multipliers(shares, w);
         for (share, holding) in shares.iter().zip(w.several.holding.chunks_exact(size)) {
             for (value, holding) in column.iter_mut().zip(holding) {
@@ -290,7 +290,12 @@ impl Kinetostatics {
     /// T of the friction found.
     fn sum_forces(&self, w: &mut ForceWorkspace) {
         let mut force = std::mem::take(&mut w.several.force);
-        self.generalise(&w.friction, &w.unknowns[self.size()..], w, &mut force);
+        self.generalise(
+            &w.friction,
+            &w.unknowns[self.equations_count()..],
+            w,
+            &mut force,
+        );
         w.several.force = force;
     }
 

@@ -24,7 +24,7 @@ impl Kinetostatics {
             by_loads.fill(f64::NAN);
             return;
         }
-        let size = self.size();
+        let size = self.equations_count();
         let mut out = Vec::with_capacity(inputs);
         for input in 0..inputs {
             let mut rows = w.several.inertia[input * size..(input + 1) * size].to_vec();
@@ -55,7 +55,7 @@ impl Kinetostatics {
         w: &mut ForceWorkspace,
         out: &mut Vec<f64>,
     ) {
-        let size = self.size();
+        let size = self.equations_count();
         w.factors.solve(rows, 1);
         let mut multipliers = accelerations;
         self.multipliers(&mut multipliers, w);

@@ -31,11 +31,12 @@ impl Kinetostatics {
         excess: f64,
         w: &'w ForceWorkspace,
     ) -> impl Iterator<Item = (usize, f64)> + 'w {
-        let multipliers = &w.unknowns[self.size()..];
+        let multipliers = &w.unknowns[self.equations_count()..];
         let held = w.several.held.iter().zip(multipliers);
         held.map(move |(&pair, multiplier)| {
             let reactions = [w.unknowns[2 * pair], w.unknowns[2 * pair + 1]];
-            let limit = self.friction_factors[pair].map_or(0.0, |law| law.limit(reactions));
+            let limit =
+                self.friction_factors[pair].map_or(0.0, |law| law.greatest_friction(reactions));
             (pair, multiplier.abs() - limit * (1.0 + excess))
         })
     }
@@ -82,7 +83,7 @@ impl Kinetostatics {
     /// the geometric mean of those that both have by themselves; 0 where that is rounding.
     pub fn relative_mobility(&self, pair: usize, pushed: usize, w: &ForceWorkspace) -> f64 {
         let (inputs, several) = (self.drivers.len(), &w.several);
-        let [own, other] = [pair, pushed].map(|one| several.between(one, one, inputs));
+        let [own, other] = [pair, pushed].map(|one| several.compliance_between(one, one, inputs));
         let share = several.remaining(pair, pushed, inputs) / (own * other).sqrt();
         match share.abs() > DEPENDENT {
             true => share,

@@ -29,7 +29,7 @@ impl Kinetostatics {
             if load != 0.0 {
                 w.output_forces[output] = load * self.output_rates(output, w)[0];
                 for wrench in self.on_output(output, load, w).into_iter().flatten() {
-                    self.apply(&wrench, w);
+                    self.add_wrench(&wrench, w);
                 }
             }
         }
@@ -43,7 +43,7 @@ impl Kinetostatics {
         }
         let mut carried = std::mem::take(&mut w.carried);
         for rows in &mut carried {
-            rows.resize(self.size(), 0.0);
+            rows.resize(self.equations_count(), 0.0);
         }
         for output in 0..self.spec.outputs.len() {
             let inertia = w.output_inertias[output];

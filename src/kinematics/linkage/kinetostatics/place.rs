@@ -1,7 +1,7 @@
 //! Where pairs are at a position and in which direction they slide.
 
 use super::Kinetostatics;
-use super::friction::sense;
+use super::friction::sliding_sign;
 use super::positions::{LinkPosition, Positions};
 use super::workspace::ForceWorkspace;
 use crate::kinematics::linkage::spec::ForceLaw;
@@ -12,7 +12,7 @@ pub(super) const AT_REST: f64 = 1e-12;
 
 impl Kinetostatics {
     /// Reads positions and places of pairs, for an input moving in `direction`.
-    pub(super) fn place<P: Positions>(
+    pub(super) fn read_positions<P: Positions>(
         &self,
         positions: &P,
         direction: f64,
@@ -23,7 +23,7 @@ impl Kinetostatics {
         for (index, pair) in w.pairs.iter_mut().enumerate() {
             let unit = self.units[index];
             let scales = scales.map(|scale| scale / unit);
-            pair.sense = sense(pair.rates, scales, direction);
+            pair.sense = sliding_sign(pair.rates, scales, direction);
         }
     }
 
@@ -78,7 +78,7 @@ impl Kinetostatics {
         let link = frame(&w.links, pair.link.link);
         let place = &mut w.pairs[index];
         place.point = link.point(pair.link.at).place;
-        place.tangent = frame(&w.links, pair.on.link).turned(self.directions[index]);
+        place.tangent = frame(&w.links, pair.on.link).vector_in_ground(self.directions[index]);
     }
 }
 

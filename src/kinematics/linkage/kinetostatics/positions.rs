@@ -98,7 +98,7 @@ impl LinkPosition {
 
     /// A vector of the link's frame in the frame of the ground.
     #[inline]
-    pub fn turned(&self, v: [f64; 2]) -> [f64; 2] {
+    pub fn vector_in_ground(&self, v: [f64; 2]) -> [f64; 2] {
         [
             self.cos * v[0] - self.sin * v[1],
             self.sin * v[0] + self.cos * v[1],
@@ -108,7 +108,7 @@ impl LinkPosition {
     /// A point of the link's frame.
     #[inline]
     pub fn point(&self, at: [f64; 2]) -> PointPosition {
-        let [rx, ry] = self.turned(at);
+        let [rx, ry] = self.vector_in_ground(at);
         let [u, v, w] = self.first;
         let [a, b, e] = self.second;
         PointPosition {

@@ -41,7 +41,7 @@ pub struct ResistanceModel<'a> {
     /// are taken as given, so that everything is smooth also just beyond a
     /// change of direction.
     pub senses: &'a [f64],
-    /// The sides on which pairs press ([`Kinetostatics::sides`]), those of blocks
+    /// The sides on which pairs press ([`Kinetostatics::pressed_sides`]), those of blocks
     /// taken as given likewise; `None`: as they turn out.
     pub pressed: Option<u64>,
 }
@@ -200,7 +200,7 @@ impl Kinetostatics {
         }
         let mut rows = std::mem::take(&mut w.scratch[1]);
         rows.clear();
-        rows.extend((0..self.size()).map(|row| {
+        rows.extend((0..self.equations_count()).map(|row| {
             let drive = w.drive_rows[row] * inertia / unit;
             self.inertia_row(row, w) - drive
         }));
@@ -241,6 +241,6 @@ impl Kinetostatics {
     /// Greatest magnitude of the reactions found last (N, couples over the
     /// length scale).
     pub fn greatest_reaction(&self, w: &ForceWorkspace) -> f64 {
-        w.scale()
+        w.greatest_magnitude()
     }
 }

@@ -52,13 +52,13 @@ pub struct Balance {
 
 impl ForceWorkspace {
     /// The driver's force (N·m or N), positive along the input coordinate.
-    pub fn drive(&self) -> f64 {
+    pub fn driver_force(&self) -> f64 {
         self.drive
     }
 
     /// The force of every driver (N·m or N), positive along its coordinate: of several inputs
     /// in their order.
-    pub fn drives(&self) -> &[f64] {
+    pub fn driver_forces(&self) -> &[f64] {
         &self.drives
     }
 
@@ -68,7 +68,7 @@ impl ForceWorkspace {
     }
 
     /// Sign of the sliding of a pair just after the position; 0: at rest.
-    pub fn sense(&self, pair: usize) -> f64 {
+    pub fn sliding_sign(&self, pair: usize) -> f64 {
         self.pairs[pair].sense
     }
 
@@ -178,7 +178,7 @@ impl Kinetostatics {
             true => w.pace,
             false => self.drive_unit() * q.abs(),
         };
-        let size = w.scale() * pace;
+        let size = w.greatest_magnitude() * pace;
         let scale = greatest.max(1e-6 * size);
         Balance {
             drive: parts[0],

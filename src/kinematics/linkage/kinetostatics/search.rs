@@ -78,14 +78,14 @@ impl ForceWorkspace {
     pub(super) fn search(&mut self, course: &mut Convergence) -> (Vec<Vec<f64>>, bool) {
         let mut found: Vec<Vec<f64>> = Vec::new();
         self.without_friction();
-        let scale = self.scale();
+        let scale = self.greatest_magnitude();
         let free = self.guides();
         let is_guide = |term: &Term| matches!(term.law, Law::Guide(_));
         let mut complete = free <= GUIDES && self.terms.iter().all(is_guide);
         for pattern in 0..1usize << (2 * free.min(GUIDES)) {
             self.without_friction();
             complete &= self.follow_signs(pattern, course);
-            self.collect(course, &mut found);
+            self.find_by_newton(course, &mut found);
         }
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
         for _ in 0..DIRECTIONS * self.columns {
@@ -96,10 +96,10 @@ impl ForceWorkspace {
                 }
                 self.update_friction();
                 self.friction.copy_from_slice(&self.next);
-                self.collect(course, &mut found);
+                self.find_by_newton(course, &mut found);
             }
         }
-        found.sort_by_cached_key(|friction| Total(size(friction)));
+        found.sort_by_cached_key(|friction| Total(greatest_magnitude(friction)));
         (found, complete)
     }
 
@@ -110,12 +110,12 @@ impl ForceWorkspace {
     }
 
     /// Newton's method from the present τ; keeps what it finds, if it is new.
-    fn collect(&mut self, course: &mut Convergence, found: &mut Vec<Vec<f64>>) {
+    fn find_by_newton(&mut self, course: &mut Convergence, found: &mut Vec<Vec<f64>>) {
         course.method = Method::Search;
         if !self.newton(course) {
             return;
         }
-        let near = SAME_SOLUTION * self.scale();
+        let near = SAME_SOLUTION * self.greatest_magnitude();
         let known = found.iter().any(|other| {
             let pairs = other.iter().zip(&self.friction);
             pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= near
@@ -173,7 +173,7 @@ impl ForceWorkspace {
 }
 
 /// Greatest magnitude.
-fn size(tau: &[f64]) -> f64 {
+fn greatest_magnitude(tau: &[f64]) -> f64 {
     tau.iter()
         .fold(0.0, |most: f64, value| most.max(value.abs()))
 }

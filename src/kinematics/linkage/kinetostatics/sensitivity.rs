@@ -75,7 +75,7 @@ impl Kinetostatics {
 
     /// The row vector w with dF_last = w·d(right side), friction included.
     fn dual(&self, w: &mut ForceWorkspace) -> Option<Vec<f64>> {
-        let size = self.size();
+        let size = self.equations_count();
         let mut dual = vec![0.0; size];
         dual[size - 1] = 1.0;
         if w.columns > 0 {
@@ -119,7 +119,7 @@ impl Kinetostatics {
     /// angles. Returns the greatest deviation from these, relative to the
     /// greatest of them: a check of equations and kinematics against each other.
     pub fn influence_error(&self, w: &mut ForceWorkspace) -> f64 {
-        let size = self.size();
+        let size = self.equations_count();
         let mut row = vec![0.0; size];
         row[size - 1] = self.drive_unit();
         w.factors.solve_transposed(&mut row);

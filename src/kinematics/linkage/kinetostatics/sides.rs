@@ -30,15 +30,15 @@ impl Kinetostatics {
     pub fn pressing_corners(&self, w: &ForceWorkspace) -> u64 {
         bits(&w.terms, |term| match term.law {
             Law::Pin(_) | Law::HeldGuide { .. } => 0,
-            Law::Guide(_) => term.side(w),
+            Law::Guide(_) => term.pressed_side(w),
         })
     }
 
     /// The sides on which pairs with friction press in the motion found by
     /// [`Self::resist`], as bits (of the first 31): those of blocks' corners, and the
     /// quadrants of the reactions of pins.
-    pub fn sides(&self, w: &ForceWorkspace) -> u64 {
-        bits(&w.terms, |term| term.side(w))
+    pub fn pressed_sides(&self, w: &ForceWorkspace) -> u64 {
+        bits(&w.terms, |term| term.pressed_side(w))
     }
 
     /// Corners that press on the other side than the one that was given to
@@ -58,7 +58,7 @@ impl Kinetostatics {
     /// plus what is rounding. Negative where one has changed its side; a pin only
     /// where its reaction has nearly vanished on the way.
     pub fn side_margin(&self, w: &ForceWorkspace) -> f64 {
-        let scale = w.scale();
+        let scale = w.greatest_magnitude();
         let terms = w.terms.iter().take(PAIRS);
         let least = terms.map(|term| {
             let [first, second] = term.forces_towards(w);
@@ -79,7 +79,7 @@ impl Kinetostatics {
 
 impl Term {
     /// The side on which it presses, as two bits.
-    fn side(&self, w: &ForceWorkspace) -> u64 {
+    fn pressed_side(&self, w: &ForceWorkspace) -> u64 {
         let [a, b] = [0, 1].map(|k| w.unknowns[self.unknown + k]);
         match self.law {
             Law::Guide(_) => u64::from(b > 0.0) << 1 | u64::from(a > 0.0),

@@ -138,7 +138,7 @@ impl Kinetostatics {
         let mut solved = self.solve_with_friction(options, w)?;
         solved.condition = condition;
         w.acceleration = motion.acceleration;
-        w.drive = w.unknowns[self.size() - 1] * self.drive_unit();
+        w.drive = w.unknowns[self.equations_count() - 1] * self.drive_unit();
         w.drives.clear();
         w.drives.push(w.drive);
         let unit = self.drive_unit();
@@ -182,7 +182,7 @@ impl Kinetostatics {
         w.others.clear();
         w.drives.clear();
         (w.drive, w.pace) = (0.0, 0.0);
-        let first = self.size() - self.drivers.len();
+        let first = self.equations_count() - self.drivers.len();
         for (k, (&driver, rate)) in self.drivers.iter().zip(rates).enumerate() {
             let unit = self.unit_of(driver);
             let force = unit * w.unknowns[first + k];
@@ -228,7 +228,7 @@ impl Kinetostatics {
     ) {
         w.speed = motion.speed;
         w.direction = direction;
-        self.place(positions, direction, w);
+        self.read_positions(positions, direction, w);
         let input = Input {
             coordinate: motion.coordinate,
             speed: motion.speed,
@@ -299,7 +299,7 @@ impl Kinetostatics {
         }
         if solutions == 0 {
             w.without_friction();
-            if !(w.scale() < TOO_GREAT) {
+            if !(w.greatest_magnitude() < TOO_GREAT) {
                 return Err(ForceFailure::NotFinite);
             }
             return Err(ForceFailure::SelfLocking {
@@ -338,7 +338,7 @@ impl Kinetostatics {
         for other in &all {
             w.friction.copy_from_slice(other);
             w.react();
-            let near = 1e-6 * w.scale();
+            let near = 1e-6 * w.greatest_magnitude();
             let same = other.iter().zip(&kept).all(|(a, b)| (a - b).abs() <= near);
             if !same {
                 count += 1;

@@ -168,7 +168,7 @@ impl ForceWorkspace {
     }
 
     /// Greatest magnitude among the unknowns.
-    pub(super) fn scale(&self) -> f64 {
+    pub(super) fn greatest_magnitude(&self) -> f64 {
         self.unknowns
             .iter()
             .fold(0.0, |most: f64, value| most.max(value.abs()))

@@ -145,10 +145,10 @@ impl<N: Number> Columns<N> {
     fn screw(&self, slides: bool, owner: usize, point: [f64; 2], along: [f64; 2]) -> Twist<N> {
         let pose = &self.poses[owner];
         if slides {
-            let [x, y] = pose.turn(along);
+            let [x, y] = pose.direction_to_ground(along);
             return [N::from(0.0), x, y];
         }
-        let [x, y] = pose.place(point);
+        let [x, y] = pose.to_ground(point);
         [N::from(1.0), y, -x]
     }
 

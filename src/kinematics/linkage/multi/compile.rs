@@ -1,7 +1,7 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::joints::{Joints, bodies, floating_driver, joints};
+use super::joints::{Joints, bodies_of_groups, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
 use super::spec::{InputCoordinate, MultiSpec};
@@ -12,7 +12,7 @@ use crate::kinematics::linkage::compile;
 use crate::kinematics::linkage::decompose::{Decomposition, decompose};
 use crate::kinematics::linkage::dyad::Form;
 use crate::kinematics::linkage::elements::Body;
-use crate::kinematics::linkage::plan::{Plan, Step, size};
+use crate::kinematics::linkage::plan::{Plan, Step, typical_length};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, OutputKind, OutputSpec};
 use crate::kinematics::linkage::structure::{self, GroupKind};
 
@@ -25,7 +25,7 @@ pub(super) fn compile(
     faults.check()?;
     let spec = &welded.spec;
     let linkage = &spec.linkage;
-    let bodies = bodies(welded, &joints);
+    let bodies = bodies_of_groups(welded, &joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
     let others = other_pairs(welded);
     let ties = compile::ties(linkage, &bodies, &others);
@@ -64,13 +64,13 @@ pub(super) fn compile(
         steps,
         attached: welded.skeleton.attached.clone(),
         links: joints.bodies,
-        size: size(linkage),
+        size: typical_length(linkage),
     };
     Ok((finish(spec, plan, joints, found), listed))
 }
 
 /// Of every link whether inputs alone place it.
-pub(super) fn placed(welded: &WeldedLinkage) -> Vec<bool> {
+pub(super) fn links_placed_by_inputs(welded: &WeldedLinkage) -> Vec<bool> {
     joints(welded, &mut Faults::default()).placed
 }
 
@@ -82,7 +82,7 @@ pub(super) fn is_overconstrained(welded: &WeldedLinkage) -> bool {
         return true;
     }
     let spec = &welded.spec;
-    let bodies = bodies(welded, &joints);
+    let bodies = bodies_of_groups(welded, &joints);
     let ties = compile::ties(&spec.linkage, &bodies, &other_pairs(welded));
     match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(_) => false,
@@ -157,7 +157,8 @@ fn group_of(
     let screws = match step {
         Step::Newton(_) => Vec::new(),
         Step::Dyad(_) => {
-            let in_body = |link: Option<usize>, k: usize| link.is_some_and(|l| bodies[k].has(l));
+            let in_body =
+                |link: Option<usize>, k: usize| link.is_some_and(|l| bodies[k].has_link(l));
             let touches = |pair: usize, k: usize| {
                 in_body(all[pair].on.link, k) || in_body(all[pair].link.link, k)
             };

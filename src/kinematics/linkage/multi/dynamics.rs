@@ -55,7 +55,7 @@ impl<N: Number> MultiReduced<N> {
         self.wrenches.fill([zero; 3]);
         self.carried.fill([zero; 4]);
         for link in &plan.massive {
-            let own = self.weigh(link, gravity, columns);
+            let own = self.add_inertia_and_weight(link, gravity, columns);
             match link.placed {
                 true => self.carried[link.body] = own,
                 false => self.add_link(plan, link, &own, columns),
@@ -105,8 +105,13 @@ impl<N: Number> MultiReduced<N> {
     /// Inertia of a link about the reference point; its weight and inertia force are added
     /// to its wrench.
     #[inline(always)]
-    fn weigh(&mut self, link: &Massive, [gx, gy]: [f64; 2], columns: &Columns<N>) -> [N; 4] {
-        let [x, y] = columns.poses[link.body].place(link.centre);
+    fn add_inertia_and_weight(
+        &mut self,
+        link: &Massive,
+        [gx, gy]: [f64; 2],
+        columns: &Columns<N>,
+    ) -> [N; 4] {
+        let [x, y] = columns.poses[link.body].to_ground(link.centre);
         let velocity = &columns.velocity[link.body];
         let acceleration = &columns.acceleration[link.body];
         let [vx, vy] = at(velocity, [x, y]);

@@ -36,14 +36,14 @@ struct Strut<N> {
 }
 
 impl<N: Number> Surroundings<'_, N> {
-    fn body(&self, point: PointOf) -> usize {
-        self.plan.body(point.link)
+    fn body_of_point(&self, point: PointOf) -> usize {
+        self.plan.body_of_link(point.link)
     }
 
     /// A point from the reference point, and its velocity.
     pub(super) fn point(&self, point: PointOf) -> [[N; 2]; 2] {
-        let body = self.body(point);
-        let place = self.columns.poses[body].place(point.at);
+        let body = self.body_of_point(point);
+        let place = self.columns.poses[body].to_ground(point.at);
         [place, at(&self.columns.velocity[body], place)]
     }
 
@@ -71,10 +71,10 @@ impl<N: Number> Surroundings<'_, N> {
     }
 
     /// Angle of a revolute pair, and its rate.
-    fn turned(&self, pair: usize) -> [N; 2] {
+    fn angle_and_rate(&self, pair: usize) -> [N; 2] {
         let pair = &self.spec.pairs[pair];
         let [i, j] = [pair.on.link, pair.link.link];
-        let rate = |link: Option<usize>| self.columns.velocity[self.plan.body(link)][0];
+        let rate = |link: Option<usize>| self.columns.velocity[self.plan.body_of_link(link)][0];
         [self.angle(j) - self.angle(i), rate(j) - rate(i)]
     }
 }
@@ -103,8 +103,8 @@ impl<N: Number> MultiReduced<N> {
                     let pull = tension / strut.length;
                     let pull = strut.apart.map(|part| part * pull);
                     let [p, q] = strut.ends;
-                    self.push(around.body(*from), p, pull);
-                    self.push(around.body(*to), q, pull.map(|part| -part));
+                    self.push(around.body_of_point(*from), p, pull);
+                    self.push(around.body_of_point(*to), q, pull.map(|part| -part));
                 }
                 ForceLaw::Torsion {
                     pair,
@@ -112,22 +112,22 @@ impl<N: Number> MultiReduced<N> {
                     free_angle,
                     damping,
                 } => {
-                    let [angle, speed] = around.turned(*pair);
+                    let [angle, speed] = around.angle_and_rate(*pair);
                     let moment =
                         (angle - N::from(*free_angle)).scale(*rate) + speed.scale(damped(*damping));
                     let pair = &around.spec.pairs[*pair];
-                    self.wrenches[around.body(pair.on)][0] += moment;
-                    self.wrenches[around.body(pair.link)][0] -= moment;
+                    self.wrenches[around.body_of_point(pair.on)][0] += moment;
+                    self.wrenches[around.body_of_point(pair.link)][0] -= moment;
                 }
                 ForceLaw::Force {
                     point,
                     force,
                     follows,
                 } => {
-                    let body = around.body(*point);
+                    let body = around.body_of_point(*point);
                     let [place, _] = around.point(*point);
                     let force = match follows {
-                        true => around.columns.poses[body].turn(*force),
+                        true => around.columns.poses[body].direction_to_ground(*force),
                         false => force.map(N::from),
                     };
                     self.push(body, place, force);
@@ -151,7 +151,7 @@ impl<N: Number> Surroundings<'_, N> {
             if link.mass == 0.0 && link.moment == 0.0 {
                 continue;
             }
-            let [x, y] = self.columns.poses[body].place(link.centre);
+            let [x, y] = self.columns.poses[body].to_ground(link.centre);
             let velocity = &self.columns.velocity[body];
             let [vx, vy] = at(velocity, [x, y]);
             kinetic += (vx * vx + vy * vy).scale(0.5 * link.mass);
@@ -180,7 +180,7 @@ impl<N: Number> Surroundings<'_, N> {
                     free_angle,
                     ..
                 } => {
-                    let [angle, _] = self.turned(*pair);
+                    let [angle, _] = self.angle_and_rate(*pair);
                     let turned = angle - N::from(*free_angle);
                     potential += (turned * turned).scale(0.5 * rate);
                 }
@@ -204,7 +204,7 @@ impl Surroundings<'_, f64> {
                     sum.dissipated += damping * rate * rate;
                 }
                 ForceLaw::Torsion { pair, damping, .. } => {
-                    let [_, speed] = self.turned(*pair);
+                    let [_, speed] = self.angle_and_rate(*pair);
                     sum.dissipated += damping * speed * speed;
                 }
                 ForceLaw::Force {
@@ -214,7 +214,8 @@ impl Surroundings<'_, f64> {
                 } => {
                     let [_, velocity] = self.point(*point);
                     let force = match follows {
-                        true => self.columns.poses[self.body(*point)].turn(*force),
+                        true => self.columns.poses[self.body_of_point(*point)]
+                            .direction_to_ground(*force),
                         false => *force,
                     };
                     sum.applied += force[0] * velocity[0] + force[1] * velocity[1];

@@ -153,7 +153,7 @@ pub(super) fn joints(welded: &WeldedLinkage, faults: &mut Faults) -> Joints {
 }
 
 /// The bodies that groups place; links that are welded to others are none of their own.
-pub(super) fn bodies(welded: &WeldedLinkage, joints: &Joints) -> Bodies {
+pub(super) fn bodies_of_groups(welded: &WeldedLinkage, joints: &Joints) -> Bodies {
     let links = joints.placed.len();
     let (mut list, mut of_link) = (Vec::new(), vec![None; links]);
     for link in 0..links {

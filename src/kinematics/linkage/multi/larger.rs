@@ -17,7 +17,7 @@ impl<N: Number> Columns<N> {
         let mut parts = self.rows[index].as_mut_slice();
         for tie in &group.ties {
             let (first, rest) = parts.split_at_mut(tie.rows());
-            tie.parts(&self.poses, plan.plan.size, first);
+            tie.write_equations(&self.poses, plan.plan.size, first);
             parts = rest;
         }
         self.closing(index, group, own);
@@ -38,7 +38,7 @@ impl<N: Number> Columns<N> {
             };
             self.balance(plan, (index, group), &known, |_, _| [N::from(0.0); 3]);
             let found = self.solve_group(group);
-            self.spread(plan, group, input, found, own);
+            self.store_velocities(plan, group, input, found, own);
         }
         true
     }
@@ -104,7 +104,7 @@ impl<N: Number> Columns<N> {
     }
 
     /// Notes what was solved for as velocities by an input.
-    fn spread(
+    fn store_velocities(
         &mut self,
         plan: &MultiPlan,
         group: &Group,

@@ -125,14 +125,14 @@ impl MultiLinkage {
         // (No one number is the start.)
         let mut linkage = welded.spec.linkage;
         linkage.start = f64::NAN;
-        wrong::elsewhere(&spec, &plan, &state)?;
-        let branches = assemble::groups(
+        wrong::refuse_unneeded_guesses(&spec, &plan, &state)?;
+        let branches = assemble::choose_branches(
             &linkage,
             &plan.plan,
             &groups,
             &mut state,
             &mut |at, state| {
-                place::inside(&plan, at, &inputs, state);
+                place::place_moved_link(&plan, at, &inputs, state);
             },
         )?;
         redundant::holds_at_start(&spec.linkage, &state, plan.plan.size)?;
@@ -215,11 +215,11 @@ impl MultiLinkage {
 
     /// Sentences about what is allowed and hardly meant: cams that are undercut.
     pub fn remarks(&self) -> Vec<String> {
-        couplings::remarks(&self.core.spec.linkage)
+        couplings::remarks_on_couplings(&self.core.spec.linkage)
     }
 
     /// A length typical of it (m).
-    pub fn size(&self) -> f64 {
+    pub fn typical_length(&self) -> f64 {
         self.core.plan.plan.size
     }
 
@@ -379,7 +379,7 @@ impl MultiWorkspace<f64> {
     /// solved last: 1 as at the start, 0 there, a smooth function of the inputs. Its
     /// derivatives by these go into `first`; rate, and second derivative in time while the
     /// accelerations of the inputs are zero.
-    pub(crate) fn distance(&mut self, group: usize, first: &mut [f64]) -> [f64; 3] {
+    pub(crate) fn distance_from_singular(&mut self, group: usize, first: &mut [f64]) -> [f64; 3] {
         let Core {
             plan, determinants, ..
         } = &*self.core;

@@ -96,9 +96,9 @@ impl MultiMotion {
 
     /// A point over time (m).
     pub fn point(&self, point: PointOf) -> [Jet; 2] {
-        let body = self.body(point.link);
+        let body = self.body_of_link(point.link);
         let columns = &self.space.columns;
-        let place = columns.poses[body].place(point.at);
+        let place = columns.poses[body].to_ground(point.at);
         let velocity = columns.velocity[body];
         let [vx, vy] = at(&velocity, place);
         let [ax, ay] = at(&self.accelerations[body], place);
@@ -144,7 +144,7 @@ impl MultiMotion {
 
     /// d/dq of a point by an input.
     pub fn point_transfer(&self, point: PointOf, input: usize) -> [f64; 2] {
-        let place = self.space.columns.poses[self.body(point.link)].place(point.at);
+        let place = self.space.columns.poses[self.body_of_link(point.link)].to_ground(point.at);
         at(&self.column(point.link, input), place)
     }
 
@@ -174,11 +174,13 @@ impl MultiMotion {
 
     fn column(&self, link: Option<usize>, input: usize) -> Twist<f64> {
         let plan = &self.space.core.plan;
-        self.space.columns.column(plan, self.body(link), input)
+        self.space
+            .columns
+            .column(plan, self.body_of_link(link), input)
     }
 
-    fn body(&self, link: Option<usize>) -> usize {
-        self.space.core.plan.body(link)
+    fn body_of_link(&self, link: Option<usize>) -> usize {
+        self.space.core.plan.body_of_link(link)
     }
 
     fn spec(&self) -> &LinkageSpec {
@@ -210,7 +212,7 @@ impl Positions for MultiMotion {
             let jet = self.pair(index);
             return [jet.first, jet.second, 0.0];
         }
-        let [on, link] = [pair.on.link, pair.link.link].map(|link| self.body(link));
+        let [on, link] = [pair.on.link, pair.link.link].map(|link| self.body_of_link(link));
         let turning = |of: &[Twist<f64>]| minus(of[link], of[on])[0];
         let velocity = turning(&self.space.columns.velocity);
         [velocity, turning(&self.accelerations), 0.0]

@@ -7,7 +7,7 @@ use crate::kinematics::linkage::elements::{Frame, inverse};
 use crate::kinematics::linkage::examine::tolerance;
 use crate::kinematics::linkage::newton::NewtonGroup;
 use crate::kinematics::linkage::plan::Step;
-use crate::kinematics::linkage::solve::around;
+use crate::kinematics::linkage::solve::surroundings_of_dyad;
 use crate::kinematics::linkage::state::State;
 use crate::kinematics::linkage::vector::nearest_turn;
 
@@ -27,7 +27,9 @@ pub struct NotAssembled {
 /// Places what inputs alone place.
 pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
     for joint in &plan.tree {
-        let relative = joint.driver.relative_frame::<1>(joint.between(inputs));
+        let relative = joint
+            .driver
+            .relative_frame::<1>(joint.coordinate_between_bodies(inputs));
         let relative = match joint.reversed {
             false => relative,
             true => inverse(&relative),
@@ -37,8 +39,8 @@ pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
             false => {
                 let parent = state.frame::<1>(Some(joint.parent));
                 Frame {
-                    at: parent.at + parent.direction.turn(relative.at),
-                    direction: parent.direction.turn(relative.direction),
+                    at: parent.at + parent.direction.complex_product(relative.at),
+                    direction: parent.direction.complex_product(relative.direction),
                 }
             }
         };
@@ -47,9 +49,9 @@ pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
 }
 
 /// Sets the frame of the link that an input moves inside a group.
-pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut State) {
+pub(super) fn place_moved_link(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut State) {
     if let Some(inner) = &plan.groups[group].inner {
-        let between = inner.between(inputs);
+        let between = inner.coordinate_between_bodies(inputs);
         let relative = inner.driver.relative_frame::<1>(between);
         state.relative.set(&relative);
         (state.reduced, state.turned) = (between, inner.driver.sliding.is_none());
@@ -58,7 +60,7 @@ pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut
 
 /// Places all links at given inputs; larger groups from the position that `state` holds,
 /// on the side of their singular positions that `signs` tell.
-pub(super) fn place(
+pub(super) fn place_links(
     plan: &MultiPlan,
     signs: &[f64],
     inputs: &[f64],
@@ -69,10 +71,10 @@ pub(super) fn place(
         whole_turn_angles(plan, inputs, &mut state.near);
     }
     for (index, step) in plan.plan.steps.iter().enumerate() {
-        inside(plan, index, inputs, state);
+        place_moved_link(plan, index, inputs, state);
         let placed = match step {
             Step::Dyad(dyad) => dyad_on(plan, dyad, signs[index], state, index),
-            Step::Newton(group) => iterate(plan, group, signs[index], state, index),
+            Step::Newton(group) => place_by_iteration(plan, group, signs[index], state, index),
         };
         if !placed {
             return Err(NotAssembled { group: index + 1 });
@@ -96,7 +98,7 @@ pub(super) fn whole_turn_angles(plan: &MultiPlan, inputs: &[f64], angles: &mut [
             false => angles[joint.parent],
         };
         let own = match joint.driver.sliding {
-            None => joint.between(inputs),
+            None => joint.coordinate_between_bodies(inputs),
             Some([cos, sin]) => sin.atan2(cos),
         };
         angles[joint.body] = if joint.reversed {
@@ -109,19 +111,19 @@ pub(super) fn whole_turn_angles(plan: &MultiPlan, inputs: &[f64], angles: &mut [
 
 #[inline]
 fn dyad_on(plan: &MultiPlan, dyad: &Dyad, sign: f64, state: &mut State, index: usize) -> bool {
-    let around = around::<1>(dyad, state);
+    let around = surroundings_of_dyad::<1>(dyad, state);
     let found = dyad.directions(&around, sign, plan.plan.size);
     state.margins[index] = found.margin;
     if !(found.margin.value > 0.0) {
         return false;
     }
-    let [one, other] = dyad.place(&around, found.of);
-    state.put(&dyad.bodies[0], &one);
-    state.put(&dyad.bodies[1], &other);
+    let [one, other] = dyad.frames_of_bodies(&around, found.of);
+    state.place_body(&dyad.bodies[0], &one);
+    state.place_body(&dyad.bodies[1], &other);
     true
 }
 
-fn iterate(
+fn place_by_iteration(
     plan: &MultiPlan,
     group: &NewtonGroup,
     sign: f64,
@@ -137,7 +139,7 @@ fn iterate(
             unknown[0] = value;
         }
     }
-    let found = group.place::<1>(state, &mut scratch, plan.plan.size);
+    let found = group.place_by_newton::<1>(state, &mut scratch, plan.plan.size);
     let placed = match found {
         // Beyond a singular position the determinant has the other sign.
         Ok(margin) => {
@@ -150,7 +152,7 @@ fn iterate(
     };
     if placed {
         for (index, body) in group.bodies.iter().enumerate() {
-            state.put(body, &NewtonGroup::frame::<1>(&scratch, index));
+            state.place_body(body, &NewtonGroup::frame::<1>(&scratch, index));
             state.near[body.base] = scratch.unknowns[3 * index + 2][0];
         }
     }
@@ -198,11 +200,11 @@ impl StartPosition {
     ) -> Result<(), NotAssembled> {
         let closed = plan.groups.iter().all(|group| group.dyad);
         if closed {
-            place(plan, signs, inputs, &mut self.state)?;
+            place_links(plan, signs, inputs, &mut self.state)?;
             self.arrive(plan, inputs);
             return Ok(());
         }
-        copy(&self.state, &mut self.kept);
+        copy_places(&self.state, &mut self.kept);
         let (mut done, mut part) = (0.0, self.first_part(plan, inputs));
         while done < 1.0 {
             let share = f64::min(1.0, done + part);
@@ -213,23 +215,23 @@ impl StartPosition {
                     from + share * (to - from)
                 };
             }
-            match place(plan, signs, &self.between, &mut self.state) {
+            match place_links(plan, signs, &self.between, &mut self.state) {
                 Ok(()) => {
                     if done == 0.0 {
                         std::mem::swap(&mut self.kept, &mut self.before);
                     }
-                    copy(&self.state, &mut self.kept);
+                    copy_places(&self.state, &mut self.kept);
                     done = share;
                 }
                 Err(group) => {
                     let margins = std::mem::take(&mut self.state.margins);
-                    copy(&self.kept, &mut self.state);
+                    copy_places(&self.kept, &mut self.state);
                     self.state.margins = margins;
                     part *= 0.25;
                     if part * MOST_PARTS < 1.0 {
                         // What was reached lies on the brink: nothing else is found from there.
                         if done > 0.0 {
-                            copy(&self.before, &mut self.state);
+                            copy_places(&self.before, &mut self.state);
                         }
                         return Err(group);
                     }
@@ -289,7 +291,7 @@ impl StartPosition {
 }
 
 /// Copies places alone, without allocating.
-fn copy(from: &State, to: &mut State) {
+fn copy_places(from: &State, to: &mut State) {
     to.links.copy_from_slice(&from.links);
     to.near.copy_from_slice(&from.near);
     to.relative = from.relative;

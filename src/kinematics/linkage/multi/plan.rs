@@ -164,7 +164,7 @@ impl MultiPlan {
 
     /// The body of a link, or the ground.
     #[inline(always)]
-    pub(super) fn body(&self, link: Option<usize>) -> usize {
+    pub(super) fn body_of_link(&self, link: Option<usize>) -> usize {
         link.unwrap_or(self.bodies)
     }
 }
@@ -226,7 +226,7 @@ impl Screw {
 impl TreeJoint {
     /// The coordinate of the pair between the bodies themselves.
     #[inline(always)]
-    pub(super) fn between(&self, inputs: &[f64]) -> f64 {
+    pub(super) fn coordinate_between_bodies(&self, inputs: &[f64]) -> f64 {
         inputs[self.input] + self.shift
     }
 }
@@ -234,7 +234,7 @@ impl TreeJoint {
 impl InnerJoint {
     /// The coordinate of the pair between the bodies themselves.
     #[inline(always)]
-    pub(super) fn between(&self, inputs: &[f64]) -> f64 {
+    pub(super) fn coordinate_between_bodies(&self, inputs: &[f64]) -> f64 {
         inputs[self.input] + self.shift
     }
 }

@@ -79,7 +79,7 @@ fn completed(spec: &MultiSpec) -> Option<CompletedLinkage> {
         return None;
     }
     let mut faults = Faults::default();
-    wrong::numbers(&spec.linkage, &mut faults);
+    wrong::check_numbers(&spec.linkage, &mut faults);
     faults.check().ok()?;
     let mut all = spec.clone();
     float(&mut all, wanted);
@@ -199,7 +199,7 @@ fn float(spec: &mut MultiSpec, wanted: usize) {
 fn pairs_outwards(spec: &MultiSpec) -> Vec<usize> {
     let linkage = &spec.linkage;
     let away = distances(spec);
-    let placed = compile::placed(&WeldedLinkage::of(spec));
+    let placed = compile::links_placed_by_inputs(&WeldedLinkage::of(spec));
     let taken = |pair: &usize| {
         let mut inputs = spec.inputs.iter();
         inputs.any(|input| input.coordinate == InputCoordinate::Pair(*pair))
@@ -266,19 +266,24 @@ fn better_conditioned_inputs(
     };
     let inputs: Vec<Jet> = spec.inputs.iter().map(still).collect();
     motion.set_inputs(&inputs).ok()?;
-    let candidates = candidates(spec, own);
+    let candidates = possible_inputs(spec, own);
     let mut rows: Vec<Vec<f64>> = candidates
         .iter()
         .map(|&pair| {
             let mut first = vec![0.0; inputs.len()];
             motion.output_transfer(&OutputKind::Pair { pair }, &mut first);
             let unit = match spec.linkage.pairs[pair].slides() {
-                true => linkage.size(),
+                true => linkage.typical_length(),
                 false => 1.0,
             };
             let of = |&input: &usize| {
                 let slides = spec.inputs[input].coordinate.slides(&spec.linkage);
-                first[input] / unit * if slides { linkage.size() } else { 1.0 }
+                first[input] / unit
+                    * if slides {
+                        linkage.typical_length()
+                    } else {
+                        1.0
+                    }
             };
             exchanged.iter().map(of).collect()
         })
@@ -310,7 +315,7 @@ fn better_conditioned_inputs(
 }
 
 /// Pairs that may be inputs: those found first, then all others by their names.
-fn candidates(spec: &MultiSpec, own: usize) -> Vec<usize> {
+fn possible_inputs(spec: &MultiSpec, own: usize) -> Vec<usize> {
     let of = |input: &InputSpec| match input.coordinate {
         InputCoordinate::Pair(pair) => Some(pair),
         _ => None,

@@ -16,7 +16,7 @@ impl MultiRounding {
     pub fn of(linkage: &MultiLinkage) -> Self {
         let copies = (1..=COPIES).filter_map(|seed| {
             let mut spec = linkage.spec().clone();
-            spec.linkage = perturbed(&spec.linkage, linkage.size(), seed);
+            spec.linkage = perturbed(&spec.linkage, linkage.typical_length(), seed);
             let copy = MultiLinkage::new(spec).ok()?;
             let alike = copy.core.signs == linkage.core.signs;
             alike.then(|| MultiMotion::new(&copy))

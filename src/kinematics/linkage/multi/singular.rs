@@ -8,7 +8,7 @@
 //! is bracketed, and the square of its determinant, which goes with the distance there, is
 //! followed to zero from within. What is smaller than a mesh of the grid is not seen.
 
-use super::place::{StartPosition, place};
+use super::place::{StartPosition, place_links};
 use super::{Core, MultiLinkage, MultiWorkspace};
 use crate::math::contour;
 use crate::math::roots::{bisect, bracketed};
@@ -91,7 +91,7 @@ pub fn singular_curves(
 /// Margins of all dyads at inputs, up to the first that cannot be assembled; not numbers
 /// beyond it.
 fn margins(core: &Core, inputs: &[f64], known: &mut StartPosition, margins: &mut [f64]) {
-    let ends = match place(&core.plan, &core.signs, inputs, &mut known.state) {
+    let ends = match place_links(&core.plan, &core.signs, inputs, &mut known.state) {
         Ok(()) => margins.len(),
         Err(stuck) => stuck.group,
     };
@@ -121,7 +121,7 @@ fn of_dyads(core: &Core, plane: &Plane) -> Vec<SingularCurve> {
         };
         let mut share = |ends: contour::Ends, _: [f64; 2]| {
             let mut margin = |share: f64| {
-                let inputs = plane.inputs(between(ends, share));
+                let inputs = plane.inputs(place_between(ends, share));
                 margins(core, &inputs, &mut known, &mut all);
                 all[group]
             };
@@ -134,7 +134,7 @@ fn of_dyads(core: &Core, plane: &Plane) -> Vec<SingularCurve> {
 }
 
 /// A place between two points of the grid.
-fn between([from, to]: contour::Ends, share: f64) -> [f64; 2] {
+fn place_between([from, to]: contour::Ends, share: f64) -> [f64; 2] {
     [0, 1].map(|k| {
         let (from, to) = (from[k] as f64, to[k] as f64);
         from + share * (to - from)
@@ -251,7 +251,7 @@ impl<'a> GridReach<'a> {
     }
 
     /// Where the group is singular on the way between two points, one of them reached.
-    fn share(&self, group: usize, ends: contour::Ends) -> f64 {
+    fn share_before_singular(&self, group: usize, ends: contour::Ends) -> f64 {
         let node = |[column, row]: [usize; 2]| row * self.side + column;
         let reversed = self.spaces[node(ends[0])].is_none();
         let (from, to) = match reversed {
@@ -262,7 +262,7 @@ impl<'a> GridReach<'a> {
             return 0.5;
         };
         let mut space = known.clone();
-        let inputs = |share: f64| self.plane.inputs(between([from, to], share));
+        let inputs = |share: f64| self.plane.inputs(place_between([from, to], share));
         let [mut inside, outside] = bisect([0.0, 1.0], HALVINGS, |share| {
             space.solve(&inputs(share), &self.rates).is_ok()
         });
@@ -279,7 +279,7 @@ impl<'a> GridReach<'a> {
                 break;
             }
             // Near the curve the square goes with the distance, but for its power 3/2.
-            let [square, ..] = space.distance(group, &mut first);
+            let [square, ..] = space.distance_from_singular(group, &mut first);
             let slope: f64 = first.iter().zip(&along).map(|(a, b)| a * b).sum();
             let way = -square / slope;
             if !(way.is_finite() && way >= 0.0 && inside + way <= 1.0 + BACK) {
@@ -301,7 +301,8 @@ fn of_groups(linkage: &MultiLinkage, plane: &Plane) -> Vec<SingularCurve> {
     let mut curves = Vec::new();
     for group in 0..linkage.core.plan.groups.len() {
         let value = |column: usize, row: usize| reached.value(group, column, row);
-        let mut share = |ends: contour::Ends, _: [f64; 2]| reached.share(group, ends);
+        let mut share =
+            |ends: contour::Ends, _: [f64; 2]| reached.share_before_singular(group, ends);
         let lines = contour::located(side, side, 0.0, &value, &mut share);
         curves.extend(lines.into_iter().map(|line| curve(plane, group, &line)));
     }

@@ -44,7 +44,7 @@ impl TiedBodies {
         ground: usize,
     ) -> Option<Self> {
         Some(Self {
-            joint: coupling.ready(pairs)?,
+            joint: coupling.to_joint(pairs)?,
             bodies: coupling.links().map(|link| link.unwrap_or(ground)),
         })
     }
@@ -60,11 +60,16 @@ impl TiedBodies {
     }
 
     /// Its equations at a position.
-    pub(super) fn parts<N: Number>(&self, poses: &[Pose<N>], size: f64, parts: &mut [Parts<N>]) {
+    pub(super) fn write_equations<N: Number>(
+        &self,
+        poses: &[Pose<N>],
+        size: f64,
+        parts: &mut [Parts<N>],
+    ) {
         let none = [N::from(0.0); 3];
         parts.fill([none; 3]);
         let still = |_| (none, none);
-        self.each::<1, N>(poses, still, size, |row, link, entries| {
+        self.add_velocity_terms::<1, N>(poses, still, size, |row, link, entries| {
             let part = &mut parts[row][link];
             for k in 0..3 {
                 part[k] += entries[k].0[0];
@@ -83,14 +88,14 @@ impl TiedBodies {
         let none = [N::from(0.0); 3];
         let mut drift = none;
         let moving = |body: usize| (velocity[body], none);
-        self.each::<2, N>(poses, moving, size, |row, link, [turned, x, y]| {
+        self.add_velocity_terms::<2, N>(poses, moving, size, |row, link, [turned, x, y]| {
             let [turning, u, v] = velocity[self.bodies[link]];
             drift[row] += turned.0[1] * turning + (x.0[1] * u + y.0[1] * v).scale(size.recip());
         });
         drift
     }
 
-    /// First and second derivative in time of [`Self::parts`], the bodies moving so: row, body, and
+    /// First and second derivative in time of [`Self::write_equations`], the bodies moving so: row, body, and
     /// both for each part.
     pub(super) fn parts_moved(
         &self,
@@ -99,7 +104,7 @@ impl TiedBodies {
         size: f64,
         mut add: impl FnMut(usize, usize, [[f64; 2]; 3]),
     ) {
-        self.each::<3, f64>(poses, motion, size, |row, link, entries| {
+        self.add_velocity_terms::<3, f64>(poses, motion, size, |row, link, entries| {
             let moved = entries.map(|entry| [entry.0[1], 2.0 * entry.0[2]]);
             add(row, self.bodies[link], moved);
         });
@@ -107,7 +112,7 @@ impl TiedBodies {
 
     /// Adds what velocities (ω, v over the size) of its links contribute to its equations, over time.
     #[inline(always)]
-    fn each<const K: usize, N: Number>(
+    fn add_velocity_terms<const K: usize, N: Number>(
         &self,
         poses: &[Pose<N>],
         motion: impl Fn(usize) -> (Twist<N>, Twist<N>),
@@ -121,7 +126,7 @@ impl TiedBodies {
         };
         let measures = self.joint.shape().rows;
         self.joint.rows::<K, N>(&moving, |row, link, wrench| {
-            let entries = measures[row].entries(wrench.about_origin(), size);
+            let entries = measures[row].velocity_terms(wrench.about_origin(), size);
             add(row, link, entries);
         });
     }
@@ -153,7 +158,7 @@ where
                 ];
             }
         }
-        let over = |k: usize, value: N| course([value, rate[k], twice[k]]);
+        let over = |k: usize, value: N| number_over_time([value, rate[k], twice[k]]);
         Frame {
             at: Vector::new(over(0, pose.x), over(1, pose.y)),
             direction: Vector::new(over(2, cos), over(3, sin)),
@@ -163,7 +168,7 @@ where
 
 /// A number over time, by its value and derivatives.
 #[inline(always)]
-fn course<const K: usize, N: Number>([value, rate, bend]: [N; 3]) -> Series<K, N> {
+fn number_over_time<const K: usize, N: Number>([value, rate, bend]: [N; 3]) -> Series<K, N> {
     let taylor = [value, rate, bend.scale(0.5)];
     let mut series = Series::fixed(0.0);
     series.0[..K].copy_from_slice(&taylor[..K]);

@@ -65,7 +65,7 @@ impl MultiPlan {
     #[inline]
     pub(super) fn turn_attached(&self, angles: &mut [f64]) {
         for one in &self.plan.attached {
-            angles[one.link] = one.turned(angles);
+            angles[one.link] = one.angle_of_link(angles);
         }
     }
 }
@@ -89,7 +89,7 @@ impl<N: Number> Columns<N> {
     #[inline]
     pub(super) fn set_attached_rates(&mut self, plan: &MultiPlan) {
         for one in &plan.plan.attached {
-            let base = plan.body(one.base);
+            let base = plan.body_of_link(one.base);
             self.velocity[one.link] = self.velocity[base];
             self.acceleration[one.link] = self.acceleration[base];
         }
@@ -116,7 +116,7 @@ impl<N: Number> MultiReduced<N> {
     pub(super) fn load_attached(&mut self, plan: &MultiPlan) {
         for one in &plan.plan.attached {
             let own = self.wrenches[one.link];
-            let base = &mut self.wrenches[plan.body(one.base)];
+            let base = &mut self.wrenches[plan.body_of_link(one.base)];
             for (sum, part) in base.iter_mut().zip(own) {
                 *sum += part;
             }

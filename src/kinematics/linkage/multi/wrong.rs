@@ -6,7 +6,7 @@ use super::spec::{InputCoordinate, MultiSpec};
 use super::welded::WeldedLinkage;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::check;
-use crate::kinematics::linkage::choice::mismatch;
+use crate::kinematics::linkage::choice::distance_from_choice;
 use crate::kinematics::linkage::spec::{AssemblyChoice, LinkageSpec};
 use crate::kinematics::linkage::state::State;
 
@@ -20,7 +20,7 @@ const FAR: f64 = 0.5;
 pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
     let linkage = &spec.linkage;
-    numbers(linkage, &mut faults);
+    check_numbers(linkage, &mut faults);
     if spec.inputs.is_empty() || spec.inputs.len() > MOST_INPUTS {
         let message = format!("{} inputs", spec.inputs.len());
         let hint = format!("at least one, at most {MOST_INPUTS}");
@@ -53,7 +53,7 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
 }
 
 /// Everything wrong with the numbers of the linkage itself.
-pub(super) fn numbers(linkage: &LinkageSpec, faults: &mut Faults) {
+pub(super) fn check_numbers(linkage: &LinkageSpec, faults: &mut Faults) {
     let mut linkage = linkage.clone();
     // (There is no driver.)
     (linkage.driver, linkage.start, linkage.travel) = (usize::MAX, 0.0, None);
@@ -115,7 +115,7 @@ fn require_floating_coordinates(spec: &MultiSpec, link: usize, path: &str, fault
 
 /// Refuses what is said of a link that the inputs alone place, where it is a branch or
 /// another position than that of the start.
-pub(super) fn elsewhere(
+pub(super) fn refuse_unneeded_guesses(
     spec: &MultiSpec,
     plan: &MultiPlan,
     state: &State,
@@ -123,7 +123,7 @@ pub(super) fn elsewhere(
     let mut faults = Faults::default();
     for choice in &spec.linkage.assembly {
         let branch = matches!(choice.choice, AssemblyChoice::Branch(_));
-        let far = mismatch(choice, state, plan.plan.size) > FAR;
+        let far = distance_from_choice(choice, state, plan.plan.size) > FAR;
         if plan.placed[choice.link] && (branch || far) {
             let name = &spec.linkage.links[choice.link].name;
             faults.add(

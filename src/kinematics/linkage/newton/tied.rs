@@ -47,7 +47,7 @@ impl PreparedJoint {
         own: impl Fn(&Element) -> Side,
     ) -> Option<Self> {
         Some(Self {
-            joint: coupling.ready(pairs)?,
+            joint: coupling.to_joint(pairs)?,
             links: coupling.links().map(|link| own(&Element::of_link(link))),
         })
     }
@@ -68,7 +68,7 @@ impl PreparedJoint {
     ) {
         let measures = self.joint.shape().rows;
         self.joint
-            .errors::<N>(&self.placed(state, scratch), |row, error| {
+            .errors::<N>(&self.joint_placement(state, scratch), |row, error| {
                 set(row, error.scale(measures[row].unit(size)));
             });
     }
@@ -83,7 +83,7 @@ impl PreparedJoint {
         mut add: impl FnMut(usize, usize, [f64; 3]),
     ) {
         let measures = self.joint.shape().rows;
-        let placed = self.placed(state, scratch);
+        let placed = self.joint_placement(state, scratch);
         self.joint.rows::<1, f64>(&placed, |row, link, wrench| {
             let Side::Own { body, .. } = self.links[link] else {
                 return;
@@ -92,8 +92,8 @@ impl PreparedJoint {
                 scratch.unknowns[3 * body][0],
                 scratch.unknowns[3 * body + 1][0],
             ];
-            let about = wrench.about(Vector::constant(origin));
-            let [turned, x, y] = measures[row].entries(about, size);
+            let about = wrench.moment_and_force_about(Vector::constant(origin));
+            let [turned, x, y] = measures[row].velocity_terms(about, size);
             add(row, body, [x.value(), y.value(), turned.value()]);
         });
     }
@@ -104,7 +104,7 @@ impl PreparedJoint {
         state: &State,
         scratch: &Scratch,
     ) -> bool {
-        self.joint.is_proper(&self.placed(state, scratch))
+        self.joint.is_proper(&self.joint_placement(state, scratch))
     }
 
     /// True where angles count over whole turns.
@@ -126,7 +126,7 @@ impl PreparedJoint {
         })
     }
 
-    fn placed<'a>(&'a self, state: &'a State, scratch: &'a Scratch) -> JointPlacement<'a> {
+    fn joint_placement<'a>(&'a self, state: &'a State, scratch: &'a Scratch) -> JointPlacement<'a> {
         JointPlacement {
             links: &self.links,
             state,

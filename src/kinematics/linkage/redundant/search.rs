@@ -84,7 +84,7 @@ fn misleading(spec: &LinkageSpec, entries: &[usize]) -> Vec<Fault> {
 }
 
 fn search(spec: &LinkageSpec, built: &Built<'_, Linkage>) -> Option<Linkage> {
-    let candidates = || candidates(&Skeleton::of(spec).spec, &[spec.driver]);
+    let candidates = || possible_removals(&Skeleton::of(spec).spec, &[spec.driver]);
     leave_out(spec, 1, candidates, built)
 }
 
@@ -158,10 +158,10 @@ fn collides(one: &Redundant, other: &Redundant) -> bool {
 /// What could be left out: whole pairs beside another one of the same links, links that hang between
 /// two pairs, guides that turn; the last ones first, so that what was there before stays. Pairs that
 /// are `driven` stay.
-pub(super) fn candidates(spec: &LinkageSpec, driven: &[usize]) -> Vec<Redundant> {
+pub(super) fn possible_removals(spec: &LinkageSpec, driven: &[usize]) -> Vec<Redundant> {
     let mut list = duplicate_pairs(spec, driven);
     for link in (0..spec.links.len()).rev() {
-        list.extend(between(spec, driven, link));
+        list.extend(pin_between_links(spec, driven, link));
     }
     for pair in (0..spec.pairs.len()).rev() {
         if !driven.contains(&pair) && slides(&spec.pairs[pair]) {
@@ -192,7 +192,7 @@ fn duplicate_pairs(spec: &LinkageSpec, driven: &[usize]) -> Vec<Redundant> {
 }
 
 /// A pin of a link that has but two pairs, both to other links and neither driven.
-fn between(spec: &LinkageSpec, driven: &[usize], link: usize) -> Option<Redundant> {
+fn pin_between_links(spec: &LinkageSpec, driven: &[usize], link: usize) -> Option<Redundant> {
     let coupled = |coupling: &CouplingSpec| coupling.links().contains(&Some(link));
     if spec.couplings.iter().any(coupled) {
         return None;

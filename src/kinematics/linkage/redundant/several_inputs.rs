@@ -4,8 +4,8 @@
 //! from there in many directions of the inputs. By how much it is missed is an analytic function of the
 //! inputs: what vanishes all around the start vanishes as far as nothing is singular.
 
-use super::search::{candidates, leave_out};
-use super::{MISSED, POSITIONS, missed};
+use super::search::{leave_out, possible_removals};
+use super::{MISSED, POSITIONS, closure_error};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiWorkspace};
 use crate::kinematics::linkage::skeleton::Skeleton;
@@ -35,7 +35,7 @@ pub(in crate::kinematics::linkage) fn find_movable(
             _ => None,
         });
     let driven: Vec<usize> = pairs.collect();
-    let candidates = || candidates(&solved.spec, &driven);
+    let candidates = || possible_removals(&solved.spec, &driven);
     leave_out(
         &spec.linkage,
         spec.inputs.len(),
@@ -64,7 +64,7 @@ fn holds_around_start(linkage: &MultiLinkage) -> bool {
                 break;
             }
             let spec = &linkage.spec().linkage;
-            if !(missed(spec, workspace.state(), linkage.size()) <= MISSED) {
+            if !(closure_error(spec, workspace.state(), linkage.typical_length()) <= MISSED) {
                 return false;
             }
             positions += 1;
@@ -81,7 +81,7 @@ fn inputs_along_path(linkage: &MultiLinkage, way: usize, share: f64) -> Vec<f64>
         // Multiples of roots of different numbers fill the cube evenly.
         let direction = 2.0 * ((way as f64 + 1.0) * (k as f64 + 1.25).sqrt()).fract() - 1.0;
         let unit = match input.coordinate.slides(spec) {
-            true => linkage.size(),
+            true => linkage.typical_length(),
             false => 1.0,
         };
         input.start + share * direction * FAR * unit

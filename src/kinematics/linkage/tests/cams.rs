@@ -220,7 +220,7 @@ fn an_eccentric_circle_is_a_four_bar() {
         let q = -9.0 + 0.31 * f64::from(k);
         let workspace = solved(&linkage, q);
         assert!(closure_error(&linkage, &workspace) < 1e-14);
-        let [x, y] = workspace.pose(1).place(ROLLER);
+        let [x, y] = workspace.pose(1).to_ground(ROLLER);
         let (sin, cos) = q.sin_cos();
         let centre = [0.015 * cos - 0.004 * sin, 0.015 * sin + 0.004 * cos];
         // Circles about both centres: law of cosines at the lever's pin.
@@ -285,7 +285,7 @@ fn a_roller_above_the_axis_rises_as_the_lift_says() {
         let q = 0.21 * f64::from(k);
         // Counted clockwise from 0.4 rad: what is under the roller grows with the cam's angle.
         let phi = q - std::f64::consts::FRAC_PI_2 + 0.4;
-        let wanted = law.jet(law.breaks().locate(phi, 1.0), phi);
+        let wanted = law.jet(law.breaks().segment_at(phi, 1.0), phi);
         let found = solved(&linkage, q).pair(1);
         assert!((found.value - 0.06 - wanted.value).abs() < 1e-14, "{q}");
         assert!((found.first - wanted.first).abs() < 1e-13, "{q}");

@@ -83,7 +83,7 @@ fn rows_of_squares_fall_as_published() {
         let mut workspace = linkage.workspace();
         let mut acceleration = |[q, v]: [f64; 2]| {
             linkage.solve(q, 2, &mut workspace).unwrap();
-            let r = linkage.reduced(&workspace);
+            let r = linkage.reduced_linkage(&workspace);
             (-r.potential[1] - 0.5 * r.inertia[1] * v * v) / r.inertia[0]
         };
         let (mut state, steps) = ([FRAC_PI_2, -1.0], 8000);

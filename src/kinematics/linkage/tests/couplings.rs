@@ -50,7 +50,7 @@ fn a_geared_five_bar_is_the_meeting_of_two_circles() {
             [0.6 + 0.15 * cos, 0.15 * sin],
             [0.7, 0.8],
         );
-        let [x, y] = workspace.pose(1).place([0.7, 0.0]);
+        let [x, y] = workspace.pose(1).to_ground([0.7, 0.0]);
         let off = (x - meeting[0]).hypot(y - meeting[1]);
         assert!(off < 1e-13, "{q}: off by {off}");
     }
@@ -92,7 +92,7 @@ fn a_point_of_a_planet_draws_a_cycloid() {
             let q = 0.37 * f64::from(k);
             let workspace = solved(&linkage, q);
             assert!((workspace.angle(1) - turns * q).abs() < 1e-12, "{q}");
-            let [x, y] = workspace.pose(1).place([0.1, 0.0]);
+            let [x, y] = workspace.pose(1).to_ground([0.1, 0.0]);
             let (sin, cos) = (turns * q).sin_cos();
             let wanted = [
                 0.1 + 0.3 * q.cos() + 0.1 * cos,

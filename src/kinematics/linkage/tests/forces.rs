@@ -171,8 +171,11 @@ fn lower_orders_give_what_they_can() {
     });
     let mut workspace = linkage.workspace();
     linkage.solve(0.3, 0, &mut workspace).unwrap();
-    assert_eq!(linkage.reduced(&workspace), ReducedLinkage::default());
+    assert_eq!(
+        linkage.reduced_linkage(&workspace),
+        ReducedLinkage::default()
+    );
     linkage.solve(0.3, 1, &mut workspace).unwrap();
-    assert_eq!(linkage.reduced(&workspace).force, [5.0, 0.0]);
+    assert_eq!(linkage.reduced_linkage(&workspace).force, [5.0, 0.0]);
     assert_eq!((workspace.order(), workspace.input()), (1, 0.3));
 }

@@ -55,7 +55,7 @@ proptest! {
         if solved.condition.is_some() {
             return Ok(());
         }
-        let reduced = linkage.reduced(&at);
+        let reduced = linkage.reduced_linkage(&at);
         let parts = [
             reduced.inertia[0] * ACCELERATION,
             0.5 * reduced.inertia[1] * SPEED * SPEED,
@@ -65,7 +65,7 @@ proptest! {
         ];
         let wanted: f64 = parts.iter().sum();
         let limit = 1e-8 * scale(&parts);
-        prop_assert!((w.drive() - wanted).abs() <= limit, "{} {wanted}", w.drive());
+        prop_assert!((w.driver_force() - wanted).abs() <= limit, "{} {wanted}", w.driver_force());
         prop_assert!(solver.influence_error(&mut w) < 1e-8);
         prop_assert!(solver.balance(&w).residual < 1e-8);
     }
@@ -92,7 +92,7 @@ proptest! {
         for pair in 0..spec.pairs.len() {
             prop_assert!(solver.friction(pair, &w).loss >= -1e-12 * balance.loss);
         }
-        let drive = w.drive();
+        let drive = w.driver_force();
         let back = solver.accelerate(&at, q, SPEED, drive, &options, &mut w);
         let Ok(back) = back else { return Ok(()) };
         // Where several accelerations are possible, another one may be found.
@@ -100,7 +100,7 @@ proptest! {
             let Outcome::Moves { acceleration } = back.outcome else {
                 return Err(TestCaseError::fail(format!("{back:?}")));
             };
-            let reduced = linkage.reduced(&at);
+            let reduced = linkage.reduced_linkage(&at);
             let size = scale(&[drive, reduced.inertia[1], reduced.potential[1]]);
             let limit = 1e-7 * (1.0 + size / reduced.inertia[0]);
             prop_assert!((acceleration - ACCELERATION).abs() <= limit, "{acceleration}");

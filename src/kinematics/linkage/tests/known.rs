@@ -27,7 +27,7 @@ fn the_squeezing_mechanism_starts_as_published() {
     ] {
         approx::assert_abs_diff_eq!(workspace.angle(link), angle, epsilon = 1e-13);
     }
-    let reduced = linkage.reduced(&workspace);
+    let reduced = linkage.reduced_linkage(&workspace);
     let acceleration = (reduced.force[0] - reduced.potential[1]) / reduced.inertia[0];
     approx::assert_relative_eq!(acceleration, 14222.4439199541, max_relative = 1e-9);
     let theta = (workspace.transfer(1, 1)[2] - 1.0) * acceleration;
@@ -42,7 +42,7 @@ fn the_squeezing_mechanism_moves_as_published() {
     let mut workspace = linkage.workspace();
     let mut acceleration = |[q, v]: [f64; 2]| {
         linkage.solve(q, 2, &mut workspace).unwrap();
-        let r = linkage.reduced(&workspace);
+        let r = linkage.reduced_linkage(&workspace);
         (r.force[0] - r.potential[1] - 0.5 * r.inertia[1] * v * v) / r.inertia[0]
     };
     let (mut y, h) = ([linkage.range().start, 0.0], 0.03 / 6000.0);

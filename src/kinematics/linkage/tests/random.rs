@@ -251,7 +251,7 @@ proptest! {
             linkage.solve(q, 0, workspace).ok()?;
             let links = linkage.spec().links.iter().enumerate();
             Some(links.map(|(index, link)| {
-                let [x, y] = workspace.pose(index).place(link.centre);
+                let [x, y] = workspace.pose(index).to_ground(link.centre);
                 [x, y, workspace.angle(index)]
             }).collect())
         };
@@ -264,7 +264,7 @@ proptest! {
             energy += 0.5 * link.mass * (vx * vx + vy * vy) + 0.5 * link.moment * turning * turning;
         }
         linkage.solve(q, 3, &mut workspace).map_err(|e| TestCaseError::fail(e.to_string()))?;
-        let reduced = linkage.reduced(&workspace);
+        let reduced = linkage.reduced_linkage(&workspace);
         // Differences of second order: their error goes with the third derivatives.
         let rough = 1e-6 * (1.0 + workspace.largest().powi(2));
         prop_assert!(close(0.5 * reduced.inertia[0], energy, 1e-6, rough * energy.abs().max(1.0)));
@@ -278,7 +278,7 @@ proptest! {
     fn iteration_gives_the_same(seed: u64, dyads in 1usize..3, part in 0.05f64..0.95) {
         let spec = linkage(seed, dyads, &FORMS).0;
         let Some(closed) = is_fair(Linkage::new(spec.clone())) else { return Ok(()) };
-        let Ok(iterated) = Linkage::with(spec, false) else {
+        let Ok(iterated) = Linkage::with_closed_forms(spec, false) else {
             return Err(TestCaseError::fail("closed forms assemble it, iteration does not"));
         };
         let [one, other] = [&closed, &iterated].map(|linkage| linkage.range().ends());

@@ -173,13 +173,13 @@ fn hints_that_are_off_are_warnings_and_no_faults() {
         for (off, around) in [(0.02, 0.4), (0.3, 4.0), (7.0, 2.0)] {
             let hint = |link: usize| {
                 // A point that no pin holds, so that it tells both assemblies apart.
-                let at = [0.37 * bare.size(), 0.21 * bare.size()];
+                let at = [0.37 * bare.typical_length(), 0.21 * bare.typical_length()];
                 let own = PointOf {
                     link: Some(link),
                     at,
                 };
                 let [x, y] = workspace.point(own).map(|jet| jet.value);
-                let far = off * bare.size();
+                let far = off * bare.typical_length();
                 let (sin, cos) = f64::sin_cos(around + link as f64);
                 AssemblyChoice::Near {
                     point: at,
@@ -384,13 +384,13 @@ fn forces(
     solver
         .solve(&at, motion, &Options::default(), &mut w)
         .unwrap();
-    let reduced = linkage.reduced(&at);
+    let reduced = linkage.reduced_linkage(&at);
     let wanted = reduced.inertia[0] * -2.0 + 0.5 * reduced.inertia[1] * 9.0 + reduced.potential[1]
         - reduced.force[0];
     assert!(
-        close(w.drive(), wanted, 1e-10, 1e-9),
+        close(w.driver_force(), wanted, 1e-10, 1e-9),
         "{} {wanted}",
-        w.drive()
+        w.driver_force()
     );
     assert!(solver.balance(&w).residual < 1e-11);
     assert!(solver.influence_error(&mut w) < 1e-11);
@@ -420,7 +420,7 @@ fn determinate_figures_do_not_depend_on_what_is_left_out() {
         let (other, v, mut same) = forces(reversed(locomotive()), &[along(5, 1)], q);
         same.pairs.reverse();
         assert_eq!(open, same);
-        assert!(close(w.drive(), v.drive(), 1e-12, 1e-9));
+        assert!(close(w.driver_force(), v.driver_force(), 1e-12, 1e-9));
         for pair in 6..9 {
             let (one, other) = (solver.force(pair, &w), other.force(8 - pair, &v));
             for axis in 0..2 {
@@ -478,9 +478,9 @@ fn the_crosshead_presses_as_the_piston_asks() {
     ));
     let lever = RADIUS * (phi.sin() - phi.cos() * beta.tan());
     assert!(
-        close(w.drive().abs(), (PISTON * lever).abs(), 1e-12, 0.0),
+        close(w.driver_force().abs(), (PISTON * lever).abs(), 1e-12, 0.0),
         "{} {}",
-        w.drive(),
+        w.driver_force(),
         PISTON * lever
     );
 }

@@ -79,7 +79,7 @@ impl Rubbing {
         pressed: Option<u64>,
     ) -> Option<Resistance> {
         self.linkage.solve(q, 2, &mut self.at).ok()?;
-        let segment = self.reversals.breaks.locate(self.q, 1.0);
+        let segment = self.reversals.breaks.segment_at(self.q, 1.0);
         let motion = ResistanceModel {
             coordinate: q,
             speed,
@@ -122,7 +122,7 @@ fn one_solution_of_two_is_not_called_the_only_one() {
     let mut contradictions = 0;
     for load in (-20..=20).map(f64::from) {
         for inertia in [0.0, 0.25, 0.5, 1.0, 1.5, 2.0] {
-            let reduced = rubbing.linkage.reduced(&rubbing.at).inertia[0];
+            let reduced = rubbing.linkage.reduced_linkage(&rubbing.at).inertia[0];
             let rates = rubbing.linkage.output(0, &rubbing.at);
             let s = 0.123f64.min(1.0 / (reduced + inertia * rates.first * rates.first));
             let Some(found) = rubbing.found(q, [1.3, s, SPEED, load, inertia], None) else {
@@ -163,7 +163,7 @@ proptest! {
             let options = Options { friction, ..Options::default() };
             let solved = rubbing.solver.solve(&rubbing.at, motion, &options, &mut rubbing.w);
             if solved.is_err() { return Ok(()) }
-            *drive = rubbing.w.drive();
+            *drive = rubbing.w.driver_force();
         }
         let [with, without] = drives;
         let size = 1e-2 * with.abs().max(without.abs());
@@ -176,7 +176,7 @@ proptest! {
     ) {
         let Some(mut rubbing) = Rubbing::new(seed, dyads, part, 0.05) else { return Ok(()) };
         let q = rubbing.q;
-        let reduced = rubbing.linkage.reduced(&rubbing.at);
+        let reduced = rubbing.linkage.reduced_linkage(&rubbing.at);
         let drive = 3.0;
         let forces = drive + reduced.force[0] - reduced.potential[1]
             - reduced.damping[0] * SPEED - 0.5 * reduced.inertia[1] * SPEED * SPEED;
@@ -205,7 +205,7 @@ proptest! {
         let Some(mut rubbing) = Rubbing::new(seed, dyads, part, friction) else { return Ok(()) };
         let q = rubbing.q;
         // No more than the linkage and what hangs on it allow.
-        let reduced = rubbing.linkage.reduced(&rubbing.at).inertia[0];
+        let reduced = rubbing.linkage.reduced_linkage(&rubbing.at).inertia[0];
         let rate = rubbing.linkage.output(0, &rubbing.at).first;
         let s = s.min(1.0 / (reduced + inertia * rate * rate));
         let Some([force, acceleration]) = rubbing.resist(q, [1.3, s, SPEED, load, inertia])
@@ -224,7 +224,7 @@ proptest! {
     ) {
         let Some(mut rubbing) = Rubbing::new(seed, dyads, part, 0.05) else { return Ok(()) };
         let q = rubbing.q;
-        let reduced = rubbing.linkage.reduced(&rubbing.at).inertia[0];
+        let reduced = rubbing.linkage.reduced_linkage(&rubbing.at).inertia[0];
         let rate = rubbing.linkage.output(0, &rubbing.at).first;
         let s = s.min(0.9 / (reduced + inertia * rate * rate));
         let asked = [1.3, s, SPEED, load, inertia];
@@ -274,7 +274,7 @@ proptest! {
         let q = rubbing.q;
         let asked = [1.3, 0.0, SPEED, load, 0.0];
         let Some([force, _]) = rubbing.resist(q, asked) else { return Ok(()) };
-        let sides = rubbing.solver.sides(&rubbing.w);
+        let sides = rubbing.solver.pressed_sides(&rubbing.w);
         let size = rubbing.solver.greatest_reaction(&rubbing.w);
         let Some([given, _]) = rubbing.resist_pressed(q, asked, Some(sides)) else { return Ok(()) };
         prop_assert!(near(given, force, 1e-9, 1e-4 * size), "{given} {force}");
@@ -300,7 +300,7 @@ proptest! {
         seed: u64, dyads in 1usize..4, part in 0.001f64..0.999,
     ) {
         let Some(rubbing) = Rubbing::new(seed, dyads, part, 0.05) else { return Ok(()) };
-        let segment = rubbing.reversals.breaks.locate(rubbing.q, 1.0);
+        let segment = rubbing.reversals.breaks.segment_at(rubbing.q, 1.0);
         let (low, high) = rubbing.reversals.breaks.edges(segment);
         prop_assert!(low <= rubbing.q && rubbing.q <= high);
         let senses = rubbing.reversals.at(segment);

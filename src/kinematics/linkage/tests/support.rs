@@ -47,7 +47,7 @@ impl Workspace {
 /// The greatest error of any pair, from the poses and the plain numbers alone.
 pub(super) fn closure_error(linkage: &Linkage, workspace: &Workspace) -> f64 {
     let place = |point: &PointOf| match point.link {
-        Some(link) => workspace.pose(link).place(point.at),
+        Some(link) => workspace.pose(link).to_ground(point.at),
         None => point.at,
     };
     let direction = |link: Option<usize>| match link {
@@ -111,7 +111,7 @@ fn off_the_pitch_curve(cam: &CamPairSpec, turned: f64, [centre, roller]: [[f64; 
     let phi = cam.sense * (y.atan2(x) - turned - cam.direction);
     let lift = cam.lift.as_ref().map_or(0.0, |lift| {
         let law = Position::new(lift).unwrap();
-        law.jet(law.breaks().locate(phi, 1.0), phi).value
+        law.jet(law.breaks().segment_at(phi, 1.0), phi).value
     });
     let prime = match cam.surface {
         Surface::Hollow => cam.base_radius - cam.roller_radius,
@@ -145,7 +145,7 @@ fn everything(linkage: &Linkage, q: f64, workspace: &mut Workspace) -> Option<Ve
         let jet = workspace.pair(pair);
         all.push([jet.value, jet.first, jet.second, jet.third]);
     }
-    let r = linkage.reduced(workspace);
+    let r = linkage.reduced_linkage(workspace);
     let unknown = f64::NAN;
     all.push([r.inertia[0], r.inertia[1], r.inertia[2], unknown]);
     all.push([r.potential[0], r.potential[1], r.potential[2], unknown]);
@@ -243,11 +243,11 @@ pub(super) fn check_driving_force(name: &str, spec: LinkageSpec) {
         let at = solved(&linkage, coordinate);
         let options = Options::default();
         solver.solve(&at, motion, &options, &mut w).unwrap();
-        let reduced = linkage.reduced(&at);
+        let reduced = linkage.reduced_linkage(&at);
         let wanted = reduced.inertia[0] * acceleration
             + 0.5 * reduced.inertia[1] * speed * speed
             + reduced.potential[1];
-        let drive = w.drive();
+        let drive = w.driver_force();
         assert!(
             close(drive, wanted, 1e-11, 1e-11),
             "{name}: {drive} {wanted}"

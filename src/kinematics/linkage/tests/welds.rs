@@ -127,7 +127,7 @@ fn it_moves_as_one_link() {
     for q in [0.5, 1.7, 3.9, 5.5] {
         let (one, v, x, _) = solved(welded().0, q);
         let (other, w, y, whole) = solved(merged(), q);
-        assert!(close(v.drive(), w.drive(), 1e-11, 1e-11));
+        assert!(close(v.driver_force(), w.driver_force(), 1e-11, 1e-11));
         for pair in 0..4 {
             let (a, b) = (one.force(pair, &v), other.force(pair, &w));
             assert!(close(a[0], b[0], 1e-10, 1e-9) && close(a[1], b[1], 1e-10, 1e-9));
@@ -163,7 +163,7 @@ fn the_weld_carries_what_the_arm_asks_for() {
         assert!(close(sum, ARM.0 * wanted[k], 1e-11, 1e-10), "{sum}");
     }
     // Moments about its centre.
-    let centre = at.pose(2).place(ARM.1);
+    let centre = at.pose(2).to_ground(ARM.1);
     let moment =
         |point: [f64; 2], [x, y]: [f64; 2]| (point[0] - centre[0]) * y - (point[1] - centre[1]) * x;
     let couple = found.couple - solver.couple(2, &w)
@@ -209,7 +209,7 @@ fn a_bracket_is_welded_to_the_ground() {
         solved(builder.0, 0.9)
     };
     let ((one, v, ..), (other, w, ..)) = (four_bar(true), four_bar(false));
-    assert!(close(v.drive(), w.drive(), 1e-12, 1e-12));
+    assert!(close(v.driver_force(), w.driver_force(), 1e-12, 1e-12));
     let (foot, pin) = (one.weld_force(0, &v), other.force(3, &w));
     // On the ground from the bracket, as the pin from the rocker.
     for (foot, pin) in foot.force.into_iter().zip(pin) {

@@ -45,7 +45,7 @@ fn cam() -> CycleSpec {
 }
 
 fn at(cycle: &Cycle, phi: f64) -> Jet {
-    cycle.jet(cycle.breaks().locate(phi, 1.0), phi)
+    cycle.jet(cycle.breaks().segment_at(phi, 1.0), phi)
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn derivatives_agree_with_differences() {
     let cycle = Cycle::new(&cam()).unwrap();
     for i in 0..200 {
         let phi = 0.0301 + 0.0313 * f64::from(i);
-        let segment = cycle.breaks().locate(phi, 1.0);
+        let segment = cycle.breaks().segment_at(phi, 1.0);
         let h = 1e-4;
         let [a, b, c] = [-h, 0.0, h].map(|d| cycle.jet(segment, phi + d));
         let slope = |f: fn(&Jet) -> f64| (f(&c) - f(&a)) / (2.0 * h);

@@ -72,14 +72,14 @@ impl Law {
     fn single(form: Form) -> Self {
         Self {
             joints: Vec::new(),
-            pieces: vec![Piece::plain(form)],
+            pieces: vec![Piece::of_form(form)],
             run_up: false,
         }
     }
 
     fn of_trapezoid(trapezoid: &Trapezoid) -> Self {
         let parts = trapezoid.parts();
-        let piece = |&(part, _)| Piece::plain(Form::Trapezoid(*trapezoid, part));
+        let piece = |&(part, _)| Piece::of_form(Form::Trapezoid(*trapezoid, part));
         Self {
             joints: parts.iter().skip(1).map(|part| part.1).collect(),
             pieces: parts.iter().map(piece).collect(),
@@ -106,7 +106,7 @@ impl Law {
         let cubics = spline.coefficients().iter().zip(points);
         let pieces = cubics.map(|(cubic, point)| Piece {
             origin: point.0,
-            ..Piece::plain(Form::Cubic(*cubic))
+            ..Piece::of_form(Form::Cubic(*cubic))
         });
         let inner = &points[1..points.len() - 1];
         Ok(Self {
@@ -125,11 +125,11 @@ impl Law {
             let hint = "give at least 0 and less than 1";
             faults.add("sections.uniform", message, hint);
         }
-        let up = collect(&mut faults, "sections.run_up", &spec.run_up);
-        let out = collect(&mut faults, "sections.run_out", &spec.run_out);
+        let up = law_of_spec(&mut faults, "sections.run_up", &spec.run_up);
+        let out = law_of_spec(&mut faults, "sections.run_out", &spec.run_out);
         faults.check()?;
         match (up, out) {
-            (Some(up), Some(out)) => Ok(join(&up, &out, spec)),
+            (Some(up), Some(out)) => Ok(join_laws(&up, &out, spec)),
             _ => Err(Vec::new()),
         }
     }
@@ -154,7 +154,7 @@ impl Law {
     }
 }
 
-fn collect(faults: &mut Faults, path: &str, spec: &RunLawSpec) -> Option<Law> {
+fn law_of_spec(faults: &mut Faults, path: &str, spec: &RunLawSpec) -> Option<Law> {
     match Law::of_run_up(spec) {
         Ok(law) => Some(law),
         Err(found) => {
@@ -177,7 +177,7 @@ fn must_have(path: &str, given: &[f64], wanted: &[f64], what: &str) -> Result<()
     Err(vec![Fault::new(path, message, hint)])
 }
 
-fn join(up: &Law, out: &Law, spec: &SectionsSpec) -> Law {
+fn join_laws(up: &Law, out: &Law, spec: &SectionsSpec) -> Law {
     let (f, uniform) = (spec.skewness, spec.uniform);
     let (first, last) = (up.at(1.0).first, out.at(1.0).first);
     // φ_I and b for a duration of 1; Π_I and k from equal speeds and a stroke of 1.

@@ -52,7 +52,7 @@ struct Piece {
 
 impl Piece {
     /// A formula that is a law as it stands.
-    fn plain(form: Form) -> Self {
+    fn of_form(form: Form) -> Self {
         Self {
             form,
             origin: 0.0,

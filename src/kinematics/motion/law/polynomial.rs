@@ -48,8 +48,8 @@ impl EndPolynomial {
     pub fn new(spec: &PolynomialSpec) -> Self {
         let (start, end) = ((0.0, &spec.start[..]), (1.0, &spec.end[..]));
         Self {
-            from_start: Newton::through([start, end], &spec.through),
-            from_end: Newton::through([end, start], &spec.through),
+            from_start: Newton::divided_differences([start, end], &spec.through),
+            from_end: Newton::divided_differences([end, start], &spec.through),
         }
     }
 
@@ -84,7 +84,7 @@ impl EndPolynomial {
 impl Newton {
     /// Divided differences over the nodes, each end as often as it has
     /// derivatives; equal nodes take f⁽ᵏ⁾/k!.
-    fn through(ends: [(f64, &[f64]); 2], points: &[(f64, f64)]) -> Self {
+    fn divided_differences(ends: [(f64, &[f64]); 2], points: &[(f64, f64)]) -> Self {
         let mut nodes = Vec::new();
         // (derivatives known at the node, in order)
         let mut known: Vec<&[f64]> = Vec::new();

@@ -56,12 +56,12 @@ pub(super) fn optimum_skewness(
             shown(REACH.exp(), 1)
         ));
     }
-    Ok(least(value, at(best - 1), at(best + 1)).exp())
+    Ok(place_of_least(value, at(best - 1), at(best + 1)).exp())
 }
 
 /// Place of the least value between `low` and `high` (golden section, then
 /// the vertex of a parabola, since a minimum is flat to rounding).
-fn least(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
+fn place_of_least(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
     // To 2e-4: two steps of the scan by 0.618¹².
     let (middle, h) = (golden(&mut |x| -f(x), [low, high], 12).at, 1e-3);
     // Fourth-order differences: the third derivative does not shift the vertex.

@@ -17,65 +17,68 @@ impl Maker {
         (self.steps.len() - 1) as Register
     }
 
-    fn plain(&mut self, op: Op) -> Register {
+    fn add_operation(&mut self, op: Op) -> Register {
         self.push(Step::Op(op))
     }
 
     fn affine(&mut self, x: Register, factor: f64, shift: f64) -> Register {
-        self.plain(Op::Affine { x, factor, shift })
+        self.add_operation(Op::Affine { x, factor, shift })
     }
 
-    fn over(&mut self, numerator: f64, x: Register) -> Register {
-        let one = self.plain(Op::Number(numerator));
-        self.plain(Op::Div(one, x))
+    fn add_quotient(&mut self, numerator: f64, x: Register) -> Register {
+        let one = self.add_operation(Op::Number(numerator));
+        self.add_operation(Op::Div(one, x))
     }
 
     pub(super) fn op(&mut self, op: Op) -> Register {
         match op {
             Op::Of(function, x) => match self.slope(function, x) {
                 Some(slope) => self.push(Step::Along { function, x, slope }),
-                None => self.plain(op),
+                None => self.add_operation(op),
             },
             Op::Atan2 { y, x, .. } => {
-                let (yy, xx) = (self.plain(Op::Mul(y, y)), self.plain(Op::Mul(x, x)));
-                let square = self.plain(Op::Add(yy, xx));
-                let by_y = self.plain(Op::Div(x, square));
-                let by_x = self.plain(Op::Div(y, square));
+                let (yy, xx) = (
+                    self.add_operation(Op::Mul(y, y)),
+                    self.add_operation(Op::Mul(x, x)),
+                );
+                let square = self.add_operation(Op::Add(yy, xx));
+                let by_y = self.add_operation(Op::Div(x, square));
+                let by_x = self.add_operation(Op::Div(y, square));
                 let by_x = self.affine(by_x, -1.0, 0.0);
                 self.push(Step::Direction { op, by_y, by_x })
             }
             Op::PowerOf(x, y) => {
                 let logarithm = self.op(Op::Of(Function::Ln, x));
-                let of = self.plain(Op::Mul(logarithm, y));
+                let of = self.add_operation(Op::Mul(logarithm, y));
                 self.push(Step::Exponential { x, y, of })
             }
-            _ => self.plain(op),
+            _ => self.add_operation(op),
         }
     }
 
     /// The slope of functions that have no rule of their own.
     fn slope(&mut self, function: Function, x: Register) -> Option<Register> {
         let root_of = |this: &mut Self, factor: f64, shift: f64| {
-            let square = this.plain(Op::Mul(x, x));
+            let square = this.add_operation(Op::Mul(x, x));
             let inside = this.affine(square, factor, shift);
-            this.plain(Op::Of(Function::Sqrt, inside))
+            this.add_operation(Op::Of(Function::Sqrt, inside))
         };
         Some(match function {
             Function::Asin => {
                 let root = root_of(self, -1.0, 1.0);
-                self.over(1.0, root)
+                self.add_quotient(1.0, root)
             }
             Function::Acos => {
                 let root = root_of(self, -1.0, 1.0);
-                self.over(-1.0, root)
+                self.add_quotient(-1.0, root)
             }
             Function::Asinh => {
                 let root = root_of(self, 1.0, 1.0);
-                self.over(1.0, root)
+                self.add_quotient(1.0, root)
             }
             Function::Acosh => {
                 let root = root_of(self, 1.0, -1.0);
-                self.over(1.0, root)
+                self.add_quotient(1.0, root)
             }
             Function::Atan | Function::Atanh => {
                 let sign = if function == Function::Atan {
@@ -83,13 +86,13 @@ impl Maker {
                 } else {
                     -1.0
                 };
-                let square = self.plain(Op::Mul(x, x));
+                let square = self.add_operation(Op::Mul(x, x));
                 let inside = self.affine(square, sign, 1.0);
-                self.over(1.0, inside)
+                self.add_quotient(1.0, inside)
             }
-            Function::Ln => self.over(1.0, x),
-            Function::Log10 => self.over(1.0 / LN_10, x),
-            Function::Log2 => self.over(1.0 / LN_2, x),
+            Function::Ln => self.add_quotient(1.0, x),
+            Function::Log10 => self.add_quotient(1.0 / LN_10, x),
+            Function::Log2 => self.add_quotient(1.0 / LN_2, x),
             _ => return None,
         })
     }

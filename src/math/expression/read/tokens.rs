@@ -25,7 +25,7 @@ fn is_letter(letter: char) -> bool {
 }
 
 impl<'t> Reader<'t, '_> {
-    pub(super) fn advance(&mut self) -> Result<Token<'t>, Error> {
+    pub(super) fn next_token(&mut self) -> Result<Token<'t>, Error> {
         let before = self.token;
         self.end = self.place.end;
         let rest = &self.text[self.position..];

@@ -38,9 +38,9 @@ impl Course {
 
 /// The course of a linkage of one input over its reach; positions that cannot be are left out,
 /// `null`.
-pub(super) fn of_one(linkage: &Linkage, turning: bool) -> Value {
+pub(super) fn course_of_one(linkage: &Linkage, turning: bool) -> Value {
     let range = linkage.range();
-    let size = linkage.size().max(f64::MIN_POSITIVE);
+    let size = linkage.typical_length().max(f64::MIN_POSITIVE);
     let ends = match (range.period, range.ends()) {
         (Some(period), _) => [range.start, range.start + period.length],
         (None, [from, to]) => [
@@ -84,15 +84,15 @@ pub(super) fn multi_input_courses(linkage: &MultiLinkage, at: Option<&[f64]>) ->
     let at = at.filter(fits).map_or_else(start, <[f64]>::to_vec);
     let courses = inputs.iter().enumerate();
     courses
-        .map(|(k, input)| over(linkage, &at, k, input).into_json())
+        .map(|(k, input)| course_of_input(linkage, &at, k, input).into_json())
         .collect()
 }
 
-fn over(linkage: &MultiLinkage, at: &[f64], input: usize, own: &InputSpec) -> Course {
+fn course_of_input(linkage: &MultiLinkage, at: &[f64], input: usize, own: &InputSpec) -> Course {
     let turning = !own.coordinate.slides(&linkage.spec().linkage);
     let reach = match turning {
         true => PI,
-        false => linkage.size().max(f64::MIN_POSITIVE),
+        false => linkage.typical_length().max(f64::MIN_POSITIVE),
     };
     let (values, start) = values(at[input], [at[input] - reach, at[input] + reach]);
     let mut poses = vec![None; values.len()];

@@ -231,11 +231,13 @@ fn inner_mass_equation(model: &Model, object: usize, section: &mut Section) {
     let after = |letter, back: usize| any(letter, if back == 0 { 1 } else { 0 });
     let mut right = vec![opposite(link_force(before)), link_force(after)];
     let count = part.nodes.len();
-    let loaded: Vec<usize> = (2..count).filter(|&m| loads::any(model, part, m)).collect();
+    let loaded: Vec<usize> = (2..count)
+        .filter(|&m| loads::has_load(model, part, m))
+        .collect();
     if !loaded.is_empty() {
         right.push(any("W", 0).expr());
     }
-    right.extend(output::share(model, object, any("w", 0)));
+    right.extend(output::share_of_mass(model, object, any("w", 0)));
     let left = any("J", 0).expr().times(any("φ", 0).rate().rate());
     section.line(left, Expr::sum(right), format!("m = 2 … {}", count - 1));
     if let Some(&first) = loaded.first() {
@@ -270,11 +272,11 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
         contact::legend(part, &pair, section);
     } else if let LinkBase::Law { pair } = &link(&part.links[0]).base {
         if pair.closure == Closure::Form {
-            section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
+            section.add_entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
         }
         if let Some(Loss::Factor(kappa)) = pair.form.loss() {
             let unit = unit.time_per_displacement;
-            section.entry(symbol("κ", Index::None), kappa, unit, "contact damping");
+            section.add_entry(symbol("κ", Index::None), kappa, unit, "contact damping");
         }
     }
 }

@@ -145,7 +145,8 @@ impl<'s> Closure<'s> {
     fn loops(&mut self) -> Vec<(usize, Vec<Term>)> {
         let tree: Vec<usize> = self.parents.values().map(|(edge, _)| *edge).collect();
         let beyond = (0..self.edges.len()).filter(|edge| !tree.contains(edge));
-        let found: Vec<(usize, Vec<Term>)> = beyond.map(|edge| (edge, self.around(edge))).collect();
+        let found: Vec<(usize, Vec<Term>)> =
+            beyond.map(|edge| (edge, self.loop_terms(edge))).collect();
         for (_, terms) in &found {
             for term in terms {
                 if let Term::Vector {
@@ -164,7 +165,7 @@ impl<'s> Closure<'s> {
 
     /// From the ground (or the last common link) along the one side of an edge, over it, and back
     /// along the other.
-    fn around(&self, edge: usize) -> Vec<Term> {
+    fn loop_terms(&self, edge: usize) -> Vec<Term> {
         let joint = &self.edges[edge];
         let [mut one, mut other] = [0, 1].map(|end| self.path(joint.ends[end].link));
         while one.len() > 1 && other.len() > 1 && one[1].0 == other[1].0 {
@@ -185,11 +186,11 @@ impl<'s> Closure<'s> {
             vector: [there[0] - here[0], there[1] - here[1]],
             joints: [from, to],
         }];
-        terms.extend(self.along(&one, edge, 0, 1.0));
+        terms.extend(self.path_terms(&one, edge, 0, 1.0));
         if joint.slides.is_some() {
             terms.push(Term::Along { edge, sign: 1.0 });
         }
-        let back = self.along(&other, edge, 1, -1.0);
+        let back = self.path_terms(&other, edge, 1, -1.0);
         terms.extend(back.into_iter().rev());
         let is_zero = |term: &Term| match term {
             Term::Vector { vector, .. } => *vector == [0.0; 2],
@@ -216,7 +217,7 @@ impl<'s> Closure<'s> {
     }
 
     /// The terms behind the first link of a path, up to the end of an edge.
-    fn along(&self, path: &[Station], last: usize, end: usize, sign: f64) -> Vec<Term> {
+    fn path_terms(&self, path: &[Station], last: usize, end: usize, sign: f64) -> Vec<Term> {
         let mut terms = Vec::new();
         for (place, (link, by)) in path.iter().enumerate().skip(1) {
             let Some(own) = *link else { continue };
@@ -398,7 +399,7 @@ impl<'s> Closure<'s> {
     }
 
     /// The angle of a link seen from a carrier.
-    fn seen(&self, link: Option<usize>, carrier: Option<usize>) -> Expr {
+    fn angle_seen_from(&self, link: Option<usize>, carrier: Option<usize>) -> Expr {
         let mut terms = self.angle(link);
         terms.extend(self.angle(carrier).into_iter().map(Expr::negative));
         Expr::sum(terms)
@@ -407,15 +408,15 @@ impl<'s> Closure<'s> {
     /// What a coupling asks of the links.
     fn coupling(&self, coupling: &Coupled<'_>, section: &mut Section) {
         let [one, other] = coupling.links;
-        let turned = self.seen(one, coupling.carrier);
+        let turned = self.angle_seen_from(one, coupling.carrier);
         let name = format!("{} {}", coupling.noun, coupling.name);
         match coupling.rule {
             Rule::Turns(ratio) => {
                 let right = Expr::sum(vec![scaled(ratio, turned), Expr::Angle(coupling.offset)]);
-                section.line(self.seen(other, coupling.carrier), right, name);
+                section.line(self.angle_seen_from(other, coupling.carrier), right, name);
             }
             Rule::Slides(radius) => {
-                let Some(left) = self.slid(coupling) else {
+                let Some(left) = self.sliding_displacement(coupling) else {
                     return;
                 };
                 let right = Expr::sum(vec![scaled(radius, turned), Expr::Number(coupling.offset)]);
@@ -429,7 +430,7 @@ impl<'s> Closure<'s> {
     }
 
     /// The displacement of the second link of a coupling on its carrier.
-    fn slid(&self, coupling: &Coupled<'_>) -> Option<Expr> {
+    fn sliding_displacement(&self, coupling: &Coupled<'_>) -> Option<Expr> {
         let [_, other] = coupling.links;
         let joins = |edge: &Edge<'_>| {
             let links = edge.ends.map(|end| end.link);
@@ -451,19 +452,19 @@ impl<'s> Closure<'s> {
                 joints[1],
                 self.name(link)
             );
-            section.entry(self.length(link, [one, other]), length, "m", meaning);
+            section.add_entry(self.length(link, [one, other]), length, "m", meaning);
         }
         let Some(position) = position else { return };
         let here = "here where the linkage is put together";
         for link in 0..self.links.len() {
             let letter = symbol("θ", Index::Word(self.name(link)));
             let meaning = format!("angle of the frame of {}; {here}", self.name(link));
-            section.entry(letter, (position.angle)(link), "rad", meaning);
+            section.add_entry(letter, (position.angle)(link), "rad", meaning);
         }
         for (edge, joint) in self.edges.iter().enumerate() {
             let Some(pair) = joint.slides else { continue };
             let meaning = format!("displacement along the guide of {}; {here}", joint.name);
-            section.entry(self.displacement(edge), (position.pair)(pair), "m", meaning);
+            section.add_entry(self.displacement(edge), (position.pair)(pair), "m", meaning);
         }
     }
 }

@@ -113,7 +113,13 @@ fn one_input(model: &Model, body: &LinkageBody, section: &Section, what: &str) -
     let mut loops = 0;
     for step in [-0.3, -0.11, 0.0, 0.07, 0.4, 1.3, 2.9] {
         let slides = linkage.spec().pairs[linkage.spec().driver].slides();
-        let input = start + step * if slides { 0.05 * linkage.size() } else { 1.0 };
+        let input = start
+            + step
+                * if slides {
+                    0.05 * linkage.typical_length()
+                } else {
+                    1.0
+                };
         if linkage.solve(input, 0, &mut workspace).is_err() {
             continue;
         }

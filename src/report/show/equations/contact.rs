@@ -88,12 +88,12 @@ fn letters() -> Letters {
 /// What a rigid contact does in an impact; nothing of any other.
 pub(super) fn impact(contact: &ContactElement, section: &mut Section) {
     if contact.law.is_rigid() {
-        section.line(after(), rebound(), "at an impact");
+        section.line(speed_after_impact(), rebound(), "at an impact");
     }
 }
 
 /// ẋ just after an impact.
-fn after() -> Expr {
+fn speed_after_impact() -> Expr {
     let after = Index::Word("after".into());
     symbol("x", after).rate().expr()
 }
@@ -127,7 +127,7 @@ pub(super) fn legend(part: &ObjectPart, pair: &Pair, section: &mut Section) {
     letters().entries(of_contact, ("contact", part.coordinate), section);
     let unit = units(part.coordinate);
     if pair.closure == Closure::Form {
-        section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
+        section.add_entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
     }
 }
 

@@ -73,19 +73,19 @@ impl Letters {
         let (form, damping) = law.of_link(0.0);
         if let Some(restitution) = form.restitution() {
             let meaning = "coefficient of restitution";
-            return section.entry(self.restitution, restitution, "", meaning);
+            return section.add_entry(self.restitution, restitution, "", meaning);
         }
         let unit = units(coordinate);
         let own = unit_of_stiffness(form, coordinate);
         let meaning = |what: &str| format!("{what} of the {of}");
-        section.entry(self.stiffness, stiffness, own, meaning("stiffness"));
+        section.add_entry(self.stiffness, stiffness, own, meaning("stiffness"));
         if damping != 0.0 {
             let own = unit.of(Measure::Damping);
-            section.entry(self.damping, damping, own, meaning("damping"));
+            section.add_entry(self.damping, damping, own, meaning("damping"));
         }
         if let Some(chi) = form.factor().filter(|chi| *chi != 0.0) {
             let own = unit.of(Measure::TimePerDisplacement);
-            section.entry(self.factor, chi, own, meaning("dissipation"));
+            section.add_entry(self.factor, chi, own, meaning("dissipation"));
         }
     }
 }

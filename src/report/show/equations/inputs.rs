@@ -83,7 +83,7 @@ pub(super) fn legend(model: &Model, object: usize, section: &mut Section) {
             _ => "",
         };
         let letter = ratio(model, object, &input.port);
-        section.entry(letter, value, unit, "ratio of the input");
+        section.add_entry(letter, value, unit, "ratio of the input");
     }
 }
 

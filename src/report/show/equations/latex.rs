@@ -30,7 +30,7 @@ fn section(section: &Section) -> String {
         lines.join(" \\\\\n")
     );
     for rows in section.legend.chunks(ROWS) {
-        let rows: String = rows.iter().map(entry).collect();
+        let rows: String = rows.iter().map(entry_in_latex).collect();
         out.push_str(&format!(
             "\\begin{{tabular}}{{lll}}\n{rows}\\end{{tabular}}\n\n"
         ));
@@ -80,7 +80,7 @@ fn broken(terms: &[Expr]) -> String {
     out
 }
 
-fn entry(entry: &Entry) -> String {
+fn entry_in_latex(entry: &Entry) -> String {
     let name = match &entry.until {
         Some(last) if entry.adjacent() => {
             format!("{}, {}", entry.symbol.latex(), last.latex())

@@ -56,13 +56,13 @@ impl Parts {
     }
 
     /// Whether there is any force at all.
-    pub(super) fn any(self) -> bool {
+    pub(super) fn has_force(self) -> bool {
         self.potential || self.applied || self.damping || self.friction
     }
 }
 
 /// Terms of a linkage in the force of its constraint: −J·φ̈ − ½·J′·φ̇² + W.
-pub(super) fn forces(
+pub(super) fn add_force_terms(
     model: &Model,
     object: usize,
     body: &LinkageBody,
@@ -92,7 +92,7 @@ pub(super) fn forces(
     if parts.friction {
         reduced.push(of_object("R", model, object).expr());
     }
-    if parts.any() {
+    if parts.has_force() {
         let letter = of_object("W", model, object);
         let remark = match parts.friction {
             false => "forces, weights and springs, dampers, reduced to the input: functions of φ",
@@ -147,7 +147,7 @@ pub(super) fn graph(spec: &LinkageSpec) -> Closure<'_> {
         direction: tie.direction,
     });
     let couplings = spec.couplings.iter().map(|coupling| {
-        let (noun, following) = coupling.following();
+        let (noun, following) = coupling.link_following();
         Coupled {
             name: &coupling.name,
             noun,
@@ -165,14 +165,19 @@ pub(super) fn graph(spec: &LinkageSpec) -> Closure<'_> {
 }
 
 /// J where the linkage is put together.
-pub(super) fn entry(model: &Model, object: usize, body: &LinkageBody, section: &mut Section) {
+pub(super) fn add_linkage_data(
+    model: &Model,
+    object: usize,
+    body: &LinkageBody,
+    section: &mut Section,
+) {
     let unit = units(model.objects[object].coordinate).inertia;
     let mut workspace = body.linkage.workspace();
     let start = body.linkage.spec().start;
     if body.linkage.solve(start, 2, &mut workspace).is_ok() {
-        let inertia = body.linkage.reduced(&workspace).inertia[0];
+        let inertia = body.linkage.reduced_linkage(&workspace).inertia[0];
         let meaning =
             "inertia reduced to the input, a function of φ; here where it is put together";
-        section.entry(of_object("J", model, object), inertia, unit, meaning);
+        section.add_entry(of_object("J", model, object), inertia, unit, meaning);
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn terms(model: &Model, part: &ObjectPart, mass: usize) -> Vec<Expr> 
 }
 
 /// True when any load acts on a mass.
-pub(super) fn any(model: &Model, part: &ObjectPart, mass: usize) -> bool {
+pub(super) fn has_load(model: &Model, part: &ObjectPart, mass: usize) -> bool {
     on_mass(model, part, mass).next().is_some()
 }
 
@@ -114,7 +114,7 @@ impl OneLoad<'_> {
         let unit = units(self.part().coordinate);
         let (phi, rate) = (self.displacement(), self.displacement().rate());
         if let Some(value) = self.load.law.as_constant() {
-            section.entry(self.letter("W"), value, unit.force, "load");
+            section.add_entry(self.letter("W"), value, unit.force, "load");
             return;
         }
         let law = match &self.load.law {
@@ -125,13 +125,13 @@ impl OneLoad<'_> {
                 let parts = [part(own.rate, phi), part(own.damping, rate)];
                 Expr::sum([vec![Expr::Number(own.force)], parts.to_vec()].concat())
             }),
-            LoadLaw::Stop(stop) => return self.stop(*stop, phi, section),
+            LoadLaw::Stop(stop) => return self.add_stop(*stop, phi, section),
             LoadLaw::Function { function, .. } => self
                 .declared([phi, rate], section)
                 .unwrap_or_else(|| Expr::Words(function.description())),
-            LoadLaw::Written(written) => self.written(written, section),
+            LoadLaw::Written(written) => self.expression_of_load(written, section),
         };
-        let remark = match (self.track_period(), self.over()) {
+        let remark = match (self.track_period(), self.other_object()) {
             (Some(period), _) => format!("repeats every {}", significant(period, 6)),
             (None, Some(other)) => format!("over_phi: displacement of {other}"),
             (None, None) => self.remark.clone(),
@@ -140,7 +140,7 @@ impl OneLoad<'_> {
     }
 
     /// An expression as it was written, with what its names stand for.
-    fn written(&self, written: &WrittenLoad, section: &mut Section) -> Expr {
+    fn expression_of_load(&self, written: &WrittenLoad, section: &mut Section) -> Expr {
         let text = written.expression.text();
         if written.factor == 1.0 {
             return Expr::Words(text.to_owned());
@@ -148,7 +148,7 @@ impl OneLoad<'_> {
         let text = Expr::Words(format!("({text})"));
         let unit = units(self.part().coordinate);
         let factor = self.letter("f");
-        section.entry(
+        section.add_entry(
             factor.clone(),
             written.factor,
             unit.force,
@@ -158,10 +158,10 @@ impl OneLoad<'_> {
     }
 
     /// A stop: its indentation, and what it pushes with.
-    fn stop(&self, stop: Stop, phi: Symbol, section: &mut Section) {
+    fn add_stop(&self, stop: Stop, phi: Symbol, section: &mut Section) {
         let unit = units(self.part().coordinate);
         let (p, at) = (self.letter("p"), self.letter("a"));
-        section.entry(at.clone(), stop.at, unit.displacement, "place of the stop");
+        section.add_entry(at.clone(), stop.at, unit.displacement, "place of the stop");
         let depth = match stop.side > 0.0 {
             true => phi.expr().minus(at),
             false => at.expr().minus(phi),
@@ -215,7 +215,7 @@ impl OneLoad<'_> {
                 (letter, index) => symbol(letter, Index::Word(index.into())),
             };
             let unit = units(self.part().coordinate).of(parameter.measure);
-            section.entry(symbol.clone(), value, unit, parameter.meaning);
+            section.add_entry(symbol.clone(), value, unit, parameter.meaning);
             symbols.push(symbol);
         }
         let formula = declared.formula()?;
@@ -229,8 +229,8 @@ impl OneLoad<'_> {
     }
 
     /// Id of the object to whose motion an expression refers besides.
-    fn over(&self) -> Option<&str> {
-        let written = self.load.law.written()?;
+    fn other_object(&self) -> Option<&str> {
+        let written = self.load.law.expression_load()?;
         let program = written.expression.program();
         if !OVER.iter().any(|(_, index)| program.reads(*index)) {
             return None;
@@ -274,7 +274,7 @@ impl OneLoad<'_> {
         }
         let cases = pieces.iter().enumerate().map(|(index, piece)| {
             let (from, to) = track.breaks.edges(index as i64);
-            (line(piece, &axis), between(from, &axis, to))
+            (line(piece, &axis), range_condition(from, &axis, to))
         });
         Expr::Cases(cases.collect())
     }
@@ -294,7 +294,7 @@ fn line(piece: &LinearPiece, axis: &Symbol) -> Expr {
 }
 
 /// from ≤ z < to, open ends left out.
-fn between(from: f64, axis: &Symbol, to: f64) -> Expr {
+fn range_condition(from: f64, axis: &Symbol, to: f64) -> Expr {
     let mut conditions = Vec::new();
     if from.is_finite() {
         conditions.push(Expr::Number(from).compare(Relation::AtMost, axis.clone()));
@@ -321,7 +321,7 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
         return format!("constant {}", show(value, unit.force));
     }
     if let Some((declared, _)) = law.declared() {
-        return words(&declared, coordinate);
+        return describe_law(&declared, coordinate);
     }
     match law {
         LoadLaw::Pieces { pieces, .. } => format!("piecewise linear, {} pieces", pieces.len()),
@@ -342,7 +342,7 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
 }
 
 /// The words of a declared law, with its numbers.
-fn words(declared: &LawInstance, coordinate: Coordinate) -> String {
+fn describe_law(declared: &LawInstance, coordinate: Coordinate) -> String {
     let mut words = declared.law.words.to_owned();
     for (parameter, value) in declared.parameters() {
         let key = declared.law.name_of(parameter);

@@ -14,7 +14,7 @@ pub(in crate::report) fn mathml(equations: &Equations) -> String {
 fn section(section: &Section) -> String {
     let id = escape(&section.object);
     let lines: String = section.lines.iter().map(equation).collect();
-    let legend: String = section.legend.iter().map(entry).collect();
+    let legend: String = section.legend.iter().map(entry_in_mathml).collect();
     let legend = match legend.is_empty() {
         true => legend,
         false => format!("<table class=\"letters\"><tbody>{legend}</tbody></table>\n"),
@@ -41,7 +41,7 @@ fn equation(line: &Line) -> String {
     )
 }
 
-fn entry(entry: &Entry) -> String {
+fn entry_in_mathml(entry: &Entry) -> String {
     let first = entry.symbol.mathml();
     let name = match &entry.until {
         Some(last) if entry.adjacent() => format!("{first}<mo>,</mo>{}", last.mathml()),

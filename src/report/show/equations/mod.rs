@@ -111,7 +111,7 @@ impl Section {
         });
     }
 
-    fn entry(
+    fn add_entry(
         &mut self,
         letter: Symbol,
         value: f64,
@@ -147,7 +147,7 @@ pub fn equations(model: &Model) -> Equations {
             Some(NodeMotion::Rigid { law }) => sources::rigid(model, object, law),
             Some(NodeMotion::Rotor { .. }) => sources::rotor(model, object),
             Some(NodeMotion::Prescribed { motion, .. }) => {
-                sources::prescribed(model, object, motion)
+                sources::section_of_prescribed(model, object, motion)
             }
             // The node on which inputs are combined is no object by itself.
             Some(NodeMotion::Constrained { .. }) | None => Section::default(),
@@ -272,7 +272,7 @@ fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Ref
             out.bias
                 .push(half_slope.times(Expr::Power(Box::new(first), 3)));
         }
-        let forces = linkage.is_some_and(|body| linkage::Parts::of(body).any());
+        let forces = linkage.is_some_and(|body| linkage::Parts::of(body).has_force());
         if forces || model.loads.iter().any(|load| load.node == node) {
             let load = of_object("W", model, follower).expr();
             out.force.push(load.times(transfer.first.clone()));
@@ -316,7 +316,7 @@ fn list(
     let equal = values.windows(2).all(|pair| pair[0] == pair[1]);
     if count == 1 || (count <= LONGEST_WRITTEN_OUT && !equal) {
         for (place, value) in values.into_iter().enumerate() {
-            section.entry(of_mass(letter, place + 1), value, unit, meaning);
+            section.add_entry(of_mass(letter, place + 1), value, unit, meaning);
         }
         return;
     }

@@ -102,6 +102,6 @@ fn entries(body: &MultiLinkageBody, mass: &dyn Fn(usize, usize) -> Symbol, secti
         let coordinate = Coordinate::sliding(slides);
         let value = space.reduced.mass[k * inputs.len() + k];
         let meaning = "mass matrix, a function of all inputs; here where it is put together";
-        section.entry(mass(k, k), value, units(coordinate).inertia, meaning);
+        section.add_entry(mass(k, k), value, units(coordinate).inertia, meaning);
     }
 }

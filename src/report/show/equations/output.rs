@@ -8,7 +8,9 @@ use crate::report::math::{Expr, Index, Symbol, symbol};
 
 /// How an object is reduced whose output is a sum of its masses.
 pub(super) fn of(model: &Model, object: usize) -> Option<&ModalReduction> {
-    model.reduced(object).filter(|own| own.output.is_some())
+    model
+        .reduction_of(object)
+        .filter(|own| own.output.is_some())
 }
 
 /// The object that shows a part: of a sum the one whose output it is.
@@ -28,7 +30,7 @@ fn sum_of(model: &Model, object: usize) -> Option<usize> {
 }
 
 /// What acts on the output: what hangs on it, and the loads that depend on its motion.
-fn acting(model: &Model, object: usize) -> Vec<Expr> {
+fn forces_on_output(model: &Model, object: usize) -> Vec<Expr> {
     let Some(sum) = sum_of(model, object) else {
         return Vec::new();
     };
@@ -47,19 +49,19 @@ fn acting(model: &Model, object: usize) -> Vec<Expr> {
     terms
 }
 
-fn reaction() -> Symbol {
+fn reaction_symbol() -> Symbol {
     symbol("R", Index::None)
 }
 
 /// The share w·R of a mass in what acts on the output; `None` where nothing does.
-pub(super) fn share(model: &Model, object: usize, letter: Symbol) -> Option<Expr> {
-    let acts = !acting(model, object).is_empty();
-    acts.then(|| letter.expr().times(reaction()))
+pub(super) fn share_of_mass(model: &Model, object: usize, letter: Symbol) -> Option<Expr> {
+    let acts = !forces_on_output(model, object).is_empty();
+    acts.then(|| letter.expr().times(reaction_symbol()))
 }
 
 /// The same of one mass, counted from 1.
 pub(super) fn share_of_reaction(model: &Model, object: usize, mass: usize) -> Option<Expr> {
-    share(model, object, of_mass("w", mass))
+    share_of_mass(model, object, of_mass("w", mass))
 }
 
 /// φ of the output, and R where anything acts on it. False where the output is a mass.
@@ -75,9 +77,13 @@ pub(super) fn lines(model: &Model, object: usize, section: &mut Section) -> bool
     };
     let phi = of_object("φ", model, object);
     section.line(phi, Expr::sum(terms), "the output, which followers see");
-    let acting = acting(model, object);
+    let acting = forces_on_output(model, object);
     if !acting.is_empty() {
-        section.line(reaction(), Expr::sum(acting), "what acts on the output");
+        section.line(
+            reaction_symbol(),
+            Expr::sum(acting),
+            "what acts on the output",
+        );
     }
     true
 }

@@ -10,7 +10,7 @@ use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{motion, position, units};
 
 /// A drive whose motion is prescribed, and the moment that this takes.
-pub(super) fn prescribed(model: &Model, object: usize, motion: &DriveMotion) -> Section {
+pub(super) fn section_of_prescribed(model: &Model, object: usize, motion: &DriveMotion) -> Section {
     let part = &model.objects[object];
     let mut section = Section {
         object: part.id.clone(),
@@ -75,7 +75,7 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     pull.extend(direct_pulls(model, object));
     let body = linkage_of(model, part.nodes[0]);
     if let Some(body) = body {
-        pull.extend(linkage::forces(model, object, body, &mut section));
+        pull.extend(linkage::add_force_terms(model, object, body, &mut section));
     } else if model.nodes[part.nodes[0]].inertia > 0.0 {
         let inertia = of_object("J", model, object).expr();
         pull.push(inertia.times(phi.rate().rate()).negative());
@@ -92,7 +92,7 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     match body {
         Some(body) => {
             linkage::closing(model, object, body, &mut section);
-            linkage::entry(model, object, body, &mut section);
+            linkage::add_linkage_data(model, object, body, &mut section);
         }
         None if part.kind == OUTPUT => {}
         None => inertia_entry_of(model, object, &mut section),
@@ -197,7 +197,7 @@ fn inertia_entry(model: &Model, part: &ObjectPart, section: &mut Section) {
     let inertia = model.nodes[part.nodes[0]].inertia;
     if inertia > 0.0 {
         let unit = units(part.coordinate).inertia;
-        section.entry(symbol("J", Index::None), inertia, unit, "inertia");
+        section.add_entry(symbol("J", Index::None), inertia, unit, "inertia");
     }
 }
 
@@ -205,5 +205,5 @@ fn inertia_entry_of(model: &Model, object: usize, section: &mut Section) {
     let part = &model.objects[object];
     let inertia = model.nodes[part.nodes[0]].inertia;
     let unit = units(part.coordinate).inertia;
-    section.entry(of_object("J", model, object), inertia, unit, "inertia");
+    section.add_entry(of_object("J", model, object), inertia, unit, "inertia");
 }

@@ -143,7 +143,7 @@ fn rigid_chain() -> Model {
             kind: "rocker",
             coordinate: Coordinate::Turning,
             nodes: vec![index],
-            inputs: PartInput::only(index.checked_sub(1)),
+            inputs: PartInput::behind_one_driver(index.checked_sub(1)),
             combination: None,
             driven_end: None,
             links: vec![],

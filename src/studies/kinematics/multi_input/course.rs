@@ -62,8 +62,8 @@ impl Course for SeveralInputs<'_, '_> {
         );
     }
 
-    fn ordinary(&self, _place: f64, heading: &ColumnHeading) -> f64 {
-        let size = self.asked.linkage.size();
+    fn ordinary_size(&self, _place: f64, heading: &ColumnHeading) -> f64 {
+        let size = self.asked.linkage.typical_length();
         let unit = |coordinate: Coordinate| match coordinate {
             Coordinate::Turning => 1.0,
             Coordinate::Sliding => size,
@@ -74,7 +74,7 @@ impl Course for SeveralInputs<'_, '_> {
             let mut named = inputs.zip(&self.asked.inputs);
             let input = named.find(|(input, _)| input.name == *by);
             let input = input.map_or(1.0, |(_, coordinate)| unit(*coordinate));
-            return heading.quantity.scale(own, input, Jet::default());
+            return heading.quantity.ordinary_size(own, input, Jet::default());
         }
         let rate = |of: fn(&Jet) -> f64| -> f64 {
             let inputs = self.motion.inputs().iter().zip(&self.asked.inputs);
@@ -87,10 +87,10 @@ impl Course for SeveralInputs<'_, '_> {
             second: rate(|input| input.second),
             ..Jet::default()
         };
-        heading.quantity.scale(own, 1.0, all)
+        heading.quantity.ordinary_size(own, 1.0, all)
     }
 
-    fn note(&mut self) -> Vec<[f64; 4]> {
+    fn add_row(&mut self) -> Vec<[f64; 4]> {
         self.angles.push(self.motion.angles().to_vec());
         frames(&self.motion, self.asked.linkage.spec().linkage.links.len())
     }

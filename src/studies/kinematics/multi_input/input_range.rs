@@ -21,14 +21,19 @@ pub(super) enum InputReach {
 }
 
 /// How far `input` goes from where `at` has it. A gap narrower than a step is not seen.
-pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: bool) -> InputReach {
+pub(super) fn range_of_input(
+    linkage: &MultiLinkage,
+    at: &[f64],
+    input: usize,
+    turning: bool,
+) -> InputReach {
     let far = match turning {
         true => TAU,
-        false => SIZES * linkage.size(),
+        false => SIZES * linkage.typical_length(),
     };
     let step = match turning {
         true => TAU / STEPS,
-        false => linkage.size() / STEPS,
+        false => linkage.typical_length() / STEPS,
     };
     let end = |sense: f64| {
         let mut motion = MultiMotion::new(linkage);

@@ -12,7 +12,7 @@ pub use request::AskedSeveral;
 
 use super::columns::Inputs;
 use super::figures::{NamedFigure, Places, figures_of};
-use super::rows::{Course, Rows, evenly, times, warnings};
+use super::rows::{Course, Rows, equally_spaced_places, times_of_places, warnings};
 use super::summary::{stroke_of, transmission_of};
 use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, RowsEnd, Stroke, Transmission};
 use crate::dynamics::model::Coordinate;
@@ -24,9 +24,9 @@ use request::Advance;
 /// Positions, speeds and accelerations of a linkage of several inputs over what was asked.
 pub fn multi_input_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
     let mut rows = Rows::new(SeveralInputs::new(asked));
-    let places = evenly(asked.span(), asked.positions, asked.also);
+    let places = equally_spaced_places(asked.span(), asked.positions, asked.also);
     let stopped = rows.fill(&places);
-    let stopped = stopped.map(|(before, place, why)| stop(asked, [before, place], why));
+    let stopped = stopped.map(|(before, place, why)| end_of_range(asked, [before, place], why));
     let extremes = rows.extremes();
     let closed = asked.closed && stopped.is_none();
     let strokes = match closed {
@@ -46,7 +46,7 @@ pub fn multi_input_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
         linkage: AnyLinkage::Several(asked.linkage.clone()),
         input: asked.first_coordinate(),
         motion: asked.motion(),
-        times: times(&places, asked.axis_rate()),
+        times: times_of_places(&places, asked.axis_rate()),
         closed,
         extremes,
         strokes,
@@ -86,7 +86,10 @@ impl AskedSeveral<'_> {
     }
 
     /// Why a group cannot be assembled, in words.
-    pub(in crate::studies) fn cause(&self, NotAssembled { group }: NotAssembled) -> String {
+    pub(in crate::studies) fn cause_in_words(
+        &self,
+        NotAssembled { group }: NotAssembled,
+    ) -> String {
         format!(
             "singular position of {}",
             self.linkage.structure().describe(group)
@@ -102,13 +105,17 @@ fn axis(asked: &AskedSeveral<'_>, values: Vec<f64>) -> Axis {
 fn limits(asked: &AskedSeveral<'_>) -> Vec<Limit> {
     let limit = |(at, why): &(f64, NotAssembled)| Limit {
         at: *at,
-        cause: asked.cause(*why),
+        cause: asked.cause_in_words(*why),
     };
     asked.limits.iter().map(limit).collect()
 }
 
 /// Where the linkage goes no further, between a place inside and one outside.
-fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled) -> RowsEnd {
+fn end_of_range(
+    asked: &AskedSeveral<'_>,
+    [inside, outside]: [f64; 2],
+    why: NotAssembled,
+) -> RowsEnd {
     let mut course = SeveralInputs::new(asked);
     let mut why = why;
     let [_, at] = bisect([inside, outside], 100, |place| {
@@ -127,7 +134,7 @@ fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled
     RowsEnd {
         at,
         input,
-        cause: asked.cause(why),
+        cause: asked.cause_in_words(why),
     }
 }
 

@@ -43,7 +43,7 @@ impl AskedSeveral<'_> {
         let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let half = match self.inputs[input] {
             Coordinate::Turning => PI,
-            Coordinate::Sliding => self.linkage.size(),
+            Coordinate::Sliding => self.linkage.typical_length(),
         };
         let middle = 0.5 * (least + most);
         [least.min(middle - half), most.max(middle + half)]
@@ -99,7 +99,7 @@ pub(super) fn grid(asked: &AskedSeveral<'_>) -> Option<Grid> {
     }
     let frames = positions(asked, &varied, &axes);
     Some(Grid {
-        start: nearest(&frames, start, each).unwrap_or(start),
+        start: nearest_position(&frames, start, each).unwrap_or(start),
         frames,
         axes,
     })
@@ -107,7 +107,7 @@ pub(super) fn grid(asked: &AskedSeveral<'_>) -> Option<Grid> {
 
 /// The position nearest to one of a grid, in steps of its `each` lines, in which the linkage can be
 /// assembled.
-fn nearest(frames: &[Vec<[f64; 4]>], to: usize, each: usize) -> Option<usize> {
+fn nearest_position(frames: &[Vec<[f64; 4]>], to: usize, each: usize) -> Option<usize> {
     let assembled = |place: &usize| frames[*place].iter().flatten().all(|part| part.is_finite());
     let distance = |place: &usize| {
         let (mut one, mut other, mut square) = (*place, to, 0);
@@ -157,7 +157,7 @@ fn positions(
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::nearest_position;
 
     #[test]
     fn a_grid_starts_where_the_linkage_can_be_assembled() {
@@ -168,10 +168,10 @@ mod tests {
                 false => vec![[f64::NAN; 4]],
             })
             .collect();
-        assert_eq!(nearest(&frames, 7, 4), Some(7));
+        assert_eq!(nearest_position(&frames, 7, 4), Some(7));
         // One step along either axis.
-        assert_eq!(nearest(&frames, 6, 4), Some(7));
-        assert_eq!(nearest(&frames, 4, 4), Some(8));
-        assert_eq!(nearest(&frames[..3], 1, 4), None);
+        assert_eq!(nearest_position(&frames, 6, 4), Some(7));
+        assert_eq!(nearest_position(&frames, 4, 4), Some(8));
+        assert_eq!(nearest_position(&frames[..3], 1, 4), None);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::request::{InputCourse, InputOver, NO_TIME, Over, Question};
 use super::super::subject::{of_outputs, start_of};
-use super::input_range::{InputReach, reach};
+use super::input_range::{InputReach, range_of_input};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};
@@ -216,7 +216,7 @@ impl<'a> AskedSeveral<'a> {
         let (along, span) = match (moving.as_slice(), over(first)) {
             ([_], Some(InputOver::Range { from, to })) => (Some(first), [from, to]),
             ([_], Some(InputOver::At(at))) => (Some(first), [at, at]),
-            ([_], _) => (Some(first), self.free(&at, first)?),
+            ([_], _) => (Some(first), self.free_range_of_input(&at, first)?),
             _ => (None, [0.0, 1.0]),
         };
         let slope = |input: usize| match (along, over(input)) {
@@ -252,9 +252,9 @@ impl<'a> AskedSeveral<'a> {
     }
 
     /// A turn of an input, or as far as it goes.
-    fn free(&mut self, at: &[f64], input: usize) -> Result<[f64; 2], String> {
+    fn free_range_of_input(&mut self, at: &[f64], input: usize) -> Result<[f64; 2], String> {
         let turning = self.inputs[input] == Coordinate::Turning;
-        match reach(&self.linkage, at, input, turning) {
+        match range_of_input(&self.linkage, at, input, turning) {
             InputReach::Turn => {
                 self.closed = true;
                 Ok([at[input], at[input] + std::f64::consts::TAU])
@@ -283,7 +283,7 @@ impl<'a> AskedSeveral<'a> {
                 format!(
                     "`{}` cannot be assembled where the path of its inputs begins: {}",
                     self.object,
-                    self.cause(why)
+                    self.cause_in_words(why)
                 )
             })
     }

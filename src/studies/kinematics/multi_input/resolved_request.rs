@@ -78,7 +78,7 @@ impl AskedSeveral<'_> {
     fn dead_ends_of(&self, along: Option<usize>, [from, to]: [f64; 2]) -> Vec<DeadEnd> {
         let length = match along.map(|input| self.inputs[input]) {
             _ if from != to => to - from,
-            Some(Coordinate::Sliding) => self.linkage.size(),
+            Some(Coordinate::Sliding) => self.linkage.typical_length(),
             _ => 1.0,
         };
         let ends = [[from, length], [to, -length]].into_iter();
@@ -133,7 +133,7 @@ impl AskedSeveral<'_> {
             let unit = self.inputs[input].unit();
             let name = self.name(input);
             let own = |value: f64| {
-                let (value, unit) = self.inputs[input].shown(value);
+                let (value, unit) = self.inputs[input].displacement_for_reading(value);
                 format!("{} {unit}", shown(value, 6))
             };
             let mut words = match (leg.slope != 0.0, along) {

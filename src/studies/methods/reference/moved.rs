@@ -38,7 +38,7 @@ impl PerturbedRun {
 
     /// Last sample that is determined, and how far the motion moves up to it,
     /// relative to max|δ| so far (at least a thousandth of that of the whole run).
-    pub(super) fn horizon(&self, reference: &Trace, last: usize) -> (usize, f64) {
+    pub(super) fn determined_until(&self, reference: &Trace, last: usize) -> (usize, f64) {
         let Some(changed) = &self.attempt else {
             return (last, 0.0);
         };

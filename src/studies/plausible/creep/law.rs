@@ -39,7 +39,7 @@ impl<'r> Motion<'r> {
     ) -> Option<Self> {
         let times = columns.record.times.as_slice();
         let own = columns.of(node, Quantity::Speed)?;
-        let speed = match friction.against() {
+        let speed = match friction.other_node() {
             None => Cow::Borrowed(own),
             Some(other) => {
                 let other = columns.of(other, Quantity::Speed)?;
@@ -124,14 +124,14 @@ fn friction(law: &LoadLaw, node: NodeIndex) -> Vec<Friction<'_>> {
             }],
             _ => Vec::new(),
         },
-        LoadLaw::Written(load) => written(load, node),
+        LoadLaw::Written(load) => frictions_of_expression(load, node),
         LoadLaw::Linear(_) | LoadLaw::Pieces { .. } | LoadLaw::Stop(_) => Vec::new(),
     }
 }
 
 /// An expression of the speed of its node as a friction against the ground, and against each
 /// node whose speed it reads.
-fn written(load: &WrittenLoad, node: NodeIndex) -> Vec<Friction<'_>> {
+fn frictions_of_expression(load: &WrittenLoad, node: NodeIndex) -> Vec<Friction<'_>> {
     let program = load.expression.program();
     let speeds = load.variables.iter().enumerate();
     let speeds = speeds.filter_map(|(index, variable)| match *variable {
@@ -150,7 +150,7 @@ fn written(load: &WrittenLoad, node: NodeIndex) -> Vec<Friction<'_>> {
 
 impl Friction<'_> {
     /// The node that it acts against; `None`: the ground.
-    pub(super) fn against(&self) -> Option<NodeIndex> {
+    pub(super) fn other_node(&self) -> Option<NodeIndex> {
         match self {
             Self::Stated { .. } => None,
             Self::Written { against, .. } => *against,

@@ -66,7 +66,7 @@ impl Map for TreeMap<'_> {
         let mut cursor = Cursor::of(&tree, &Request::new(time, 0), &goes_on)
             .map_err(|refusal| refusal.reason)?;
         let mut product = DMatrix::identity(2 * n, 2 * n);
-        while cursor.advance().map_err(|refusal| refusal.reason)? {
+        while cursor.next_phase().map_err(|refusal| refusal.reason)? {
             if cursor.counts().0 > MOST_STEPS {
                 return Err(crawling(cursor.time()));
             }

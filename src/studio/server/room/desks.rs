@@ -81,7 +81,12 @@ impl Room {
     }
 
     /// Answers a version, on a thread of its own.
-    pub(super) fn work(&self, question: &RunQuestion, stop: &AtomicBool, kept: &mut AnswerCache) {
+    pub(super) fn answer_version(
+        &self,
+        question: &RunQuestion,
+        stop: &AtomicBool,
+        kept: &mut AnswerCache,
+    ) {
         let asked = TextRequest {
             version: question.version,
             name: &self.name,
@@ -293,7 +298,7 @@ impl ChartProgress for Teller<'_> {
     fn map(&self, message: String) -> bool {
         self.window.map(message.into());
         // From the coarse one on nothing keeps a newer one waiting.
-        self.desk.hurry();
+        self.desk.interrupt_for_newer();
         // While a number moves the coarse map is all that is seen of it, and the rest of the
         // processor is the browser's.
         !self.desk.rest(REST)

@@ -7,7 +7,7 @@ use crate::ask::ModelAssessment;
 use crate::studies::run::RunResult;
 use crate::studio::answer::TextRequest;
 use crate::studio::pins::Source;
-use crate::studio::view::{View, merged};
+use crate::studio::view::{View, with_closeups};
 use serde_json::json;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, PoisonError};
@@ -24,10 +24,14 @@ enum Again {
 
 impl Room {
     /// A window keeps the present run beside those that come.
-    pub(in crate::studio::server) fn pin(&self, window: u64, name: &str) -> Result<(), String> {
+    pub(in crate::studio::server) fn keep_run(
+        &self,
+        window: u64,
+        name: &str,
+    ) -> Result<(), String> {
         let mut state = self.lock();
         let run = state.run.clone().ok_or("there is no run to be pinned")?;
-        state.change_view(window, |view| view.pin(name, &run))?;
+        state.change_view(window, |view| view.keep_run(name, &run))?;
         self.request_more_of_run(&state);
         Ok(())
     }
@@ -37,7 +41,7 @@ impl Room {
         let pins = self.pins.lock().unwrap_or_else(PoisonError::into_inner);
         let kept = self.lock().pins.clone();
         // Where nothing can be kept the runs are pinned as long as the program lasts.
-        let _ = pins.keep(&self.path, &kept);
+        let _ = pins.write_pins(&self.path, &kept);
     }
 
     /// A window wants to see something else.
@@ -67,7 +71,7 @@ impl Room {
         let mut any = false;
         while let Some(source) = self.waiting_pin() {
             if let Some(runs) = self.runs.get() {
-                runs.hurry();
+                runs.interrupt_for_newer();
             }
             match self.run_again(&source, stop) {
                 Again::Run(result) => self.worked_out(&source, Some(&result)),
@@ -83,7 +87,7 @@ impl Room {
 
     fn waiting_pin(&self) -> Option<Arc<Source>> {
         let state = self.lock();
-        state.views.values().find_map(View::waiting).cloned()
+        state.views.values().find_map(View::waiting_run).cloned()
     }
 
     fn run_again(&self, source: &Source, stop: &AtomicBool) -> Again {
@@ -102,7 +106,7 @@ impl Room {
             false => ModelAssessment::Never,
         };
         match asked.run(reading, judging, stop) {
-            Ok(Some(ran)) => Again::Run(merged(&ran.run.result)),
+            Ok(Some(ran)) => Again::Run(with_closeups(&ran.run.result)),
             Ok(None) if !self.exhausted.swap(false, Ordering::Relaxed) => Again::Ended,
             _ => Again::Other,
         }

@@ -71,7 +71,7 @@ impl Dynamics for Oscillator {
         out[1] = -self.omega * (self.omega * d[0] + 2.0 * self.damping * d[1]);
     }
 
-    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out[0] = 0.0;
         out[1] = self.amplitude * self.driving * (self.driving * t).cos();
     }

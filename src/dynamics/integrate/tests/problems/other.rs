@@ -43,7 +43,7 @@ impl Dynamics for Stepped {
         out[1] = 0.0;
     }
 
-    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out.fill(0.0);
     }
 
@@ -84,7 +84,7 @@ impl Dynamics for Ending {
         out[1] = 0.0;
     }
 
-    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out[0] = 0.0;
         out[1] = -0.5 / (self.end - t).sqrt();
     }
@@ -122,7 +122,7 @@ impl Dynamics for Collapsing {
         out[1] = 12.0 * y[0] * d[0];
     }
 
-    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out.fill(0.0);
     }
 
@@ -179,7 +179,7 @@ impl Dynamics for Swinging {
         out[1] = -d[0] - 2.0 * self.damping * d[1];
     }
 
-    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out.fill(0.0);
     }
 

@@ -96,7 +96,7 @@ impl Dynamics for Rocker {
         self.forces(m.0[0] != 0, d, 0.0, 0.0, out);
     }
 
-    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         let n = self.inertia.len();
         out[..n].fill(0.0);
         out[n..].fill(FRAC_PI_2 * self.omega.powi(3) * (self.omega * t).cos());

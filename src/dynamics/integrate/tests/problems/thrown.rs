@@ -52,7 +52,7 @@ impl Dynamics for Thrown {
         out[1] = 0.0;
     }
 
-    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out.fill(0.0);
     }
 
@@ -152,7 +152,7 @@ impl Dynamics for Bouncing {
         }
     }
 
-    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+    fn derivative_by_time(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
         out.fill(0.0);
     }
 

@@ -212,7 +212,8 @@ impl<'a> Ways<'a> {
             let digit = |place: usize| number / 3usize.pow(place as u32) % 3;
             let directions = (0..resting.len()).map(|place| [0, 1, -1][digit(place)]);
             let directions: Vec<i8> = directions.collect();
-            if let Some(quickness) = self.agrees(resting, &directions, slack) {
+            if let Some(quickness) = self.least_consistent_acceleration(resting, &directions, slack)
+            {
                 found.push(Continuation {
                     directions,
                     quickness,
@@ -223,7 +224,7 @@ impl<'a> Ways<'a> {
     }
 
     /// Puts pairs at rest into the directions of a way.
-    fn take(&mut self, resting: &[usize], way: &[i8]) {
+    fn set_directions(&mut self, resting: &[usize], way: &[i8]) {
         for (&pair, &direction) in resting.iter().zip(way) {
             self.sliding[pair] = match direction {
                 0 => Sliding::Held,
@@ -234,8 +235,13 @@ impl<'a> Ways<'a> {
 
     /// Least acceleration of what starts in a way whose accelerations have its directions, and
     /// whose held pairs can be held; `None` of any other.
-    fn agrees(&mut self, resting: &[usize], way: &[i8], slack: f64) -> Option<f64> {
-        self.take(resting, way);
+    fn least_consistent_acceleration(
+        &mut self,
+        resting: &[usize],
+        way: &[i8],
+        slack: f64,
+    ) -> Option<f64> {
+        self.set_directions(resting, way);
         if !self.find() {
             return None;
         }

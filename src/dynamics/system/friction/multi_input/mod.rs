@@ -112,7 +112,7 @@ impl Several {
     }
 
     /// True of one of its components.
-    pub(super) fn has(&self, component: usize) -> bool {
+    pub(super) fn has_component(&self, component: usize) -> bool {
         (self.component..self.component + self.components()).contains(&component)
     }
 }

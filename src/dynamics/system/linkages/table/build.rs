@@ -28,7 +28,7 @@ type Coefficients = [f64; POINTS];
 
 /// Whether all forces are the same after one period: no spring winds up, and
 /// none is a table over the input.
-pub(super) fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
+pub(super) fn forces_repeat(linkage: &Linkage, start: f64, span: f64) -> bool {
     let mut workspace = linkage.workspace();
     let mut coordinates = |q: f64| -> Option<Vec<f64>> {
         linkage.solve(q, 0, &mut workspace).ok()?;
@@ -100,14 +100,14 @@ impl<'a> Builder<'a> {
             .map(|piece| self.sample(FIRST, piece))
             .collect();
         for (piece, sampled) in (0..).zip(whole) {
-            self.fit(FIRST, piece, sampled, f64::INFINITY);
+            self.fit_piece(FIRST, piece, sampled, f64::INFINITY);
         }
     }
 
     /// Interpolates piece number `piece` of 2^`depth`, or divides it; `before` is what the piece
     /// that it is a half of left over.
-    fn fit(&mut self, depth: u32, piece: u32, sampled: Option<Sample>, before: f64) {
-        let (centre, half) = self.place(depth, piece);
+    fn fit_piece(&mut self, depth: u32, piece: u32, sampled: Option<Sample>, before: f64) {
+        let (centre, half) = self.centre_and_half_width(depth, piece);
         let left_over = match sampled.map(|sampled| self.interpolated(half, &sampled, before)) {
             Some(Ok(found)) => {
                 let number = self.table.pieces.len() as u16;
@@ -133,20 +133,20 @@ impl<'a> Builder<'a> {
             if levels > 0 && self.positions < MOST_POSITIONS {
                 let (depth, piece) = (depth + levels, (piece << levels) + part);
                 let sampled = self.sample(depth, piece);
-                self.fit(depth, piece, sampled, left_over);
+                self.fit_piece(depth, piece, sampled, left_over);
             }
         }
     }
 
     /// Centre (from the table's start) and half width of a piece.
-    fn place(&self, depth: u32, piece: u32) -> (f64, f64) {
+    fn centre_and_half_width(&self, depth: u32, piece: u32) -> (f64, f64) {
         let half = 0.5 * self.table.span / f64::from(1u32 << depth);
         (half * f64::from(2 * piece + 1), half)
     }
 
     /// All functions at the points of a piece.
     fn sample(&mut self, depth: u32, piece: u32) -> Option<Sample> {
-        let (centre, half) = self.place(depth, piece);
+        let (centre, half) = self.centre_and_half_width(depth, piece);
         let (linkage, workspace) = (self.linkage, &mut self.workspace);
         let mut functions = vec![[0.0; POINTS]; self.sizes.len()];
         self.positions += POINTS;
@@ -154,7 +154,7 @@ impl<'a> Builder<'a> {
             let q = self.table.start + centre + half * x;
             // J′ is that of the polynomial.
             linkage.solve(q, 1, workspace).ok()?;
-            let reduced = linkage.reduced(workspace);
+            let reduced = linkage.reduced_linkage(workspace);
             let values = [
                 reduced.inertia[0],
                 reduced.force[0] - reduced.potential[1],
@@ -196,7 +196,7 @@ impl<'a> Builder<'a> {
                 own.max(SMALL * self.sizes[k])
             };
             if size > 0.0 {
-                let mut coefficients = self.nodes.fit(values);
+                let mut coefficients = self.nodes.polynomial_through(values);
                 for c in &coefficients[POINTS - TAIL..] {
                     let share = c.abs() / size;
                     // Not a number counts as too much.

@@ -43,7 +43,7 @@ pub(super) fn check(spec: &CamPairSpec, path: &str, faults: &mut Faults) {
         return;
     }
     match PitchCurve::new(spec) {
-        Ok(curve) => shape(spec, &curve, path, faults),
+        Ok(curve) => check_shape(spec, &curve, path, faults),
         Err(found) => faults.absorb(&format!("{path}.lift"), found),
     }
 }
@@ -58,7 +58,7 @@ fn degrees(angle: f64) -> String {
 }
 
 /// The pitch curve closes, is smooth and goes round its centre.
-fn shape(spec: &CamPairSpec, curve: &PitchCurve, path: &str, faults: &mut Faults) {
+fn check_shape(spec: &CamPairSpec, curve: &PitchCurve, path: &str, faults: &mut Faults) {
     let size = spec.prime_radius();
     let path = format!("{path}.lift");
     let open = |&phi: &f64| {

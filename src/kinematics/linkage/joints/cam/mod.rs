@@ -143,7 +143,7 @@ impl Kind for Box<CamPairSpec> {
         check::check(self, &format!("{path}.cam"), faults);
     }
 
-    fn fits(&self, coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Result<(), Mismatch> {
+    fn check_links(&self, coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Result<(), Mismatch> {
         let [own, other] = coupling.wheels;
         match own == other {
             true => Err(Mismatch::Same(own, "name points of two different links")),
@@ -151,7 +151,7 @@ impl Kind for Box<CamPairSpec> {
         }
     }
 
-    fn ready(&self, _coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Option<Joint> {
+    fn to_joint(&self, _coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Option<Joint> {
         Some(Joint::Cam(RollerOnCam {
             points: [self.centre, self.roller],
             hollow: self.surface == Surface::Hollow,
@@ -179,7 +179,7 @@ impl Kind for Box<CamPairSpec> {
         flanks.into_iter().map(flank).chain([roller]).collect()
     }
 
-    fn following(&self) -> (&'static str, Following) {
+    fn link_following(&self) -> (&'static str, Following) {
         let rule = "the centre of the roller lies on the pitch curve of the cam";
         ("cam", Following::InWords(rule))
     }
@@ -231,7 +231,11 @@ impl Constraint for RollerOnCam {
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let (cam, roller) = (links.frame(0), links.frame(1));
         let gap = roller.place(self.points[1]) - cam.place(self.points[0]);
-        set(0, self.curve.error(cam.direction.mirrored().turn(gap)));
+        set(
+            0,
+            self.curve
+                .error(cam.direction.mirrored().complex_product(gap)),
+        );
     }
 
     #[inline(always)]
@@ -245,14 +249,14 @@ impl Constraint for RollerOnCam {
         let seen: Vector<K, T> = cam
             .direction
             .mirrored()
-            .turn(at - cam.place(self.points[0]));
-        let force = cam.direction.turn(self.curve.gradient(seen));
+            .complex_product(at - cam.place(self.points[0]));
+        let force = cam.direction.complex_product(self.curve.gradient(seen));
         add(0, 0, Wrench::Force { at, force: -force });
         add(0, 1, Wrench::Force { at, force });
     }
 
     /// Away from a disc, into a hollow cam.
-    fn sense(&self) -> f64 {
+    fn sign_of_force(&self) -> f64 {
         if self.hollow { -1.0 } else { 1.0 }
     }
 }

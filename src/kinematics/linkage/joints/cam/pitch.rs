@@ -66,7 +66,7 @@ impl PitchCurve {
     pub(super) fn lift(&self, phi: f64, way: f64) -> Jet {
         let segment = match self.breaks.is_empty() {
             true => 0,
-            false => self.breaks.locate(phi, way),
+            false => self.breaks.segment_at(phi, way),
         };
         match &self.lift {
             Lift::None => Jet::default(),
@@ -111,7 +111,7 @@ impl PitchCurve {
             radius.second / 2.0,
             radius.third / 6.0,
         ];
-        p.square().sqrt() - over(angle, taylor)
+        p.square().sqrt() - taylor_over_series(angle, taylor)
     }
 
     /// The derivatives of the error by the coordinates of p, in the frame of p: along the outward
@@ -124,9 +124,9 @@ impl PitchCurve {
         let radius = self.radius(angle.0[0].value());
         let [_, first, second] = radius.lift(angle.0[0]);
         let third = T::from(radius.third / 2.0);
-        let slope = over(angle, [first, second, third]) * far;
+        let slope = taylor_over_series(angle, [first, second, third]) * far;
         let unit = p.times(far);
-        unit - unit.left().times(slope)
+        unit - unit.turned_left().times(slope)
     }
 
     /// Curvature of the pitch curve at a polar angle (1/m), positive where it is convex:
@@ -151,7 +151,7 @@ impl PitchCurve {
 
 /// A function over a series, by its Taylor coefficients at the value of that.
 #[inline(always)]
-fn over<const K: usize, const D: usize, T: Number>(
+fn taylor_over_series<const K: usize, const D: usize, T: Number>(
     angle: Series<K, T>,
     taylor: [T; D],
 ) -> Series<K, T> {

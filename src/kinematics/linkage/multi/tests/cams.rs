@@ -49,7 +49,7 @@ fn told(linkage: &MultiLinkage, q: &[f64], rates: &[f64]) -> Vec<f64> {
     all.extend(&space.reduced.mass);
     all.extend(&space.reduced.force);
     all.extend(space.energies());
-    all.extend(space.distance(0, &mut first));
+    all.extend(space.distance_from_singular(0, &mut first));
     all.extend(&first);
     all
 }
@@ -90,7 +90,7 @@ fn pressed(
             .solve_over_time(&motion, &rates, &Options::default(), &mut w)
             .unwrap();
         all.push(force(&solver, &motion, &w));
-        all.extend(w.drives());
+        all.extend(w.driver_forces());
     }
     all
 }
@@ -142,8 +142,11 @@ fn the_start_of_an_adjusted_lever_is_that_of_multipliers() {
         .unwrap();
     near(solver.coupling_force(0, &w).size, 19.335_170_370_765_077);
     // Of the motors' torques what their own inertia leaves.
-    near(w.drives()[0], 2.0 - 0.004 * of_arm);
-    near(w.drives()[1], 4.0 * (1.0 - 20.0 / 30.0) - 0.002 * of_cam);
+    near(w.driver_forces()[0], 2.0 - 0.004 * of_arm);
+    near(
+        w.driver_forces()[1],
+        4.0 * (1.0 - 20.0 / 30.0) - 0.002 * of_cam,
+    );
 }
 
 /// |p| − R(angle of p) of each cam at what was solved last, over its prime radius.
@@ -154,7 +157,7 @@ fn errors(spec: &MultiSpec, motion: &MultiMotion) -> Vec<f64> {
             unreachable!("only cams couple these links");
         };
         let place = |link: Option<usize>, point: [f64; 2]| match link {
-            Some(link) => motion.pose(link).place(point),
+            Some(link) => motion.pose(link).to_ground(point),
             None => point,
         };
         let [own, other] = coupling.wheels;

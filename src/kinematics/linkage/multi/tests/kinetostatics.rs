@@ -22,7 +22,7 @@ fn driving_forces_are_those_of_the_equations_of_motion() {
             solver
                 .solve_over_time(&motion, &rates, &Options::default(), &mut w)
                 .unwrap();
-            let found = w.drives().to_vec();
+            let found = w.driver_forces().to_vec();
             let wanted = motion.required();
             let size = wanted.iter().fold(1.0f64, |most, x| most.max(x.abs()));
             for (found, wanted) in found.iter().zip(&wanted) {
@@ -60,7 +60,12 @@ fn powers_of_the_drivers_change_the_energy() {
             .unwrap();
         let power = motion.power();
         let wanted = rate + power.dissipated - power.applied;
-        approx::assert_relative_eq!(w.drive(), wanted, max_relative = 1e-7, epsilon = 1e-7);
+        approx::assert_relative_eq!(
+            w.driver_force(),
+            wanted,
+            max_relative = 1e-7,
+            epsilon = 1e-7
+        );
     }
 }
 
@@ -92,7 +97,7 @@ fn friction_is_paid_by_the_drivers_and_the_frame_is_in_equilibrium() {
             solver
                 .solve_over_time(&motion, &rates, &options, &mut w)
                 .unwrap();
-            let (drive, balance) = (w.drive(), solver.balance(&w));
+            let (drive, balance) = (w.driver_force(), solver.balance(&w));
             let [frame, shaking, applied] =
                 [solver.on_frame(&w), solver.shaking(&w), solver.applied(&w)];
             let size = frame.iter().fold(1.0f64, |most, x| most.max(x.abs()));

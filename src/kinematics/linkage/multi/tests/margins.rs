@@ -50,11 +50,11 @@ fn distances_are_smooth_and_their_derivatives_differences() {
         for group in 0..linkage.structure().groups.len() - 1 {
             let starts: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
             space.solve(&starts, &rates).unwrap();
-            let [one, ..] = space.distance(group, &mut first);
+            let [one, ..] = space.distance_from_singular(group, &mut first);
             approx::assert_relative_eq!(one, 1.0, max_relative = 1e-12);
             let mut at = |along: &[f64], h: f64| {
                 space.solve(&moved(&q, along, h), &rates).unwrap();
-                space.distance(group, &mut first)
+                space.distance_from_singular(group, &mut first)
             };
             let (before, after) = (at(&rates, -h), at(&rates, h));
             let mut slopes = Vec::new();
@@ -98,7 +98,7 @@ fn the_distance_of_a_five_bar_is_its_determinant_in_closed_form() {
         for j in 0..40 {
             let [one, two] = [i, j].map(|k| std::f64::consts::TAU * f64::from(k) / 40.0);
             if space.solve(&[one, two], &[0.0; 2]).is_ok() {
-                let [found, ..] = space.distance(0, &mut first);
+                let [found, ..] = space.distance_from_singular(0, &mut first);
                 approx::assert_abs_diff_eq!(found, sine(one, two) / start, epsilon = 1e-9);
                 known += 1;
             }

@@ -56,7 +56,7 @@ fn every_pair_stays_closed() {
         space.solve(&q, &rates).unwrap();
         for pair in &spec.linkage.pairs {
             let place = |point: PointOf| match point.link {
-                Some(link) => space.pose(link).place(point.at),
+                Some(link) => space.pose(link).to_ground(point.at),
                 None => point.at,
             };
             let [p, r] = [place(pair.on), place(pair.link)];
@@ -156,7 +156,7 @@ fn energies(spec: &MultiSpec, space: &mut MultiWorkspace<f64>, q: &[f64], v: &[f
     let mut places = |h: f64| -> Vec<[f64; 3]> {
         space.solve(&moved(q, v, h), &zero).unwrap();
         let place = |link: usize| {
-            let [x, y] = space.pose(link).place(spec.linkage.links[link].centre);
+            let [x, y] = space.pose(link).to_ground(spec.linkage.links[link].centre);
             let pose = space.pose(link);
             [x, y, pose.sin.atan2(pose.cos)]
         };

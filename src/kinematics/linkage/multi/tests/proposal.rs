@@ -118,7 +118,7 @@ fn a_better_choice_is_proposed_near_a_singular_position() {
     // It is put together as before.
     let end = |spec: &MultiSpec| {
         let linkage = MultiLinkage::new(spec.clone()).unwrap();
-        let [x, y] = linkage.workspace::<f64>().pose(1).place([0.7, 0.0]);
+        let [x, y] = linkage.workspace::<f64>().pose(1).to_ground([0.7, 0.0]);
         [x, y]
     };
     let (one, other) = (end(&cranks), end(&proposed));

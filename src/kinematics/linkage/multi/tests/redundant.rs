@@ -137,7 +137,7 @@ fn drives_obey_lagrange_and_reactions_of_the_cranks_stay_open() {
             .unwrap();
         let wanted = lagrange(&inputs);
         for (k, wanted) in wanted.into_iter().enumerate() {
-            approx::assert_relative_eq!(w.drives()[k], wanted, max_relative = 1e-10);
+            approx::assert_relative_eq!(w.driver_forces()[k], wanted, max_relative = 1e-10);
             approx::assert_relative_eq!(motion.required()[k], wanted, max_relative = 1e-10);
         }
         let open = solver.indeterminate(&w);

@@ -92,7 +92,7 @@ fn the_curves_of_a_larger_group_end_what_can_be_assembled() {
                 inputs[k] = at[k] + share * (point[k] - at[k]);
             }
             let reached = space.solve(&inputs, &still).is_ok();
-            reached.then(|| space.distance(0, &mut first)[0])
+            reached.then(|| space.distance_from_singular(0, &mut first)[0])
         };
         let walked = (1..20).all(|k| go(f64::from(k) / 20.0).is_some());
         let (near, nearer) = (go(1.0 - 1e-8), go(1.0 - 1e-9));

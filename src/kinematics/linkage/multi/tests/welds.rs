@@ -95,7 +95,7 @@ fn solved(spec: &MultiSpec) -> (Kinetostatics, ForceWorkspace, MultiMotion) {
 fn the_other_pairs_carry_the_same() {
     for Cut { whole, cut, .. } in all() {
         let ((one, v, _), (other, w, _)) = (solved(&whole), solved(&cut));
-        near(v.drive(), w.drive(), 1e-12);
+        near(v.driver_force(), w.driver_force(), 1e-12);
         for pair in 0..whole.linkage.pairs.len() {
             let (a, b) = (one.force(pair, &v), other.force(pair, &w));
             let size = a[0].hypot(a[1]).max(1.0);

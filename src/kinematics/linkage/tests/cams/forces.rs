@@ -63,7 +63,7 @@ fn forces_of_a_cam_on_a_coupler_are_those_of_single_links() {
     let at = solved(&linkage, 1.0);
     let options = Options::default();
     solver.solve(&at, motion, &options, &mut w).unwrap();
-    let (force, drive) = (solver.coupling_force(0, &w).size, w.drive());
+    let (force, drive) = (solver.coupling_force(0, &w).size, w.driver_force());
     assert!(close(force, 23.109_454_470_913_941, 1e-12, 0.0), "{force}");
     assert!(close(drive, 0.627_556_747_407_697_7, 1e-11, 0.0), "{drive}");
 }
@@ -131,7 +131,7 @@ fn friction_of_the_pairs_takes_what_the_driver_gives_more() {
     solver.solve(&at, motion, &options, &mut w).unwrap();
     let balance = solver.balance(&w);
     assert!(balance.loss > 0.0 && balance.residual < 1e-9, "{balance:?}");
-    let drive = w.drive();
+    let drive = w.driver_force();
     let back = solver.accelerate(&at, coordinate, speed, drive, &options, &mut w);
     let Outcome::Moves {
         acceleration: found,

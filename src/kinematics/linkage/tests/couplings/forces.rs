@@ -76,7 +76,7 @@ fn friction_of_the_pairs_takes_what_the_driver_gives_more() {
             balance.loss > 0.0 && balance.residual < 1e-9,
             "{name}: {balance:?}"
         );
-        let drive = w.drive();
+        let drive = w.driver_force();
         let back = solver.accelerate(&at, coordinate, speed, drive, &options, &mut w);
         let Outcome::Moves {
             acceleration: found,
