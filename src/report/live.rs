@@ -180,8 +180,9 @@ pub(crate) fn moving(
     (figures, record): (&Figures, &Record),
 ) -> Option<Value> {
     let mut plots = Plots::live(0);
-    let moving = Machine { model, cams }.moving(figures, &record.merged(), &mut plots)?;
-    let (columns, _) = plots.parts();
+    let moving =
+        Machine { model, cams }.moving(figures, &record.with_closeups(), &mut plots, Room::Page)?;
+    let (columns, _) = plots.columns_and_charts();
     Some(json!({ "moving": moving.player, "pictures": moving.pictures, "columns": columns }))
 }
 

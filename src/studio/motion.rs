@@ -119,7 +119,7 @@ impl Segments {
     /// Segments of the formula within the range, with their ends there.
     fn pieces(&self) -> Vec<(i64, [f64; 2])> {
         let [from, to] = self.range();
-        let first = self.breaks.locate(from, 1.0);
+        let first = self.breaks.segment_at(from, 1.0);
         let edges = (first..).map(|segment| (segment, self.breaks.edges(segment)));
         let within = edges.take_while(|(_, (begin, _))| *begin < to);
         within
@@ -165,7 +165,7 @@ pub(super) fn motion(mechanism: &Mechanism, id: &str, by_arm: bool) -> Option<Va
         ..Jet::default()
     };
     Some(drawn(&segments, [unit, axis], speed, &|segment, phi| {
-        position.jet(segment, phi).after(over_time)
+        position.jet(segment, phi).composed_with(over_time)
     }))
 }
 
