@@ -36,10 +36,10 @@ export function Beside({ link, answer: { pins, signals }, opened, stale, before,
 // Many signals are listed once somebody is about to choose.
 const MANY = 300;
 
-function Choice({ label, value, all, set }: { label: string; value: string; all: string[]; set: (value: string) => void }) {
+export function Choice({ label, value, all, none = "–", set }: { label: string; value: string; all: string[]; none?: string; set: (value: string) => void }) {
   const [isWanted, want] = useState(false), own = all.includes(value) ? value : "", open = () => want(true);
   const shown = isWanted || all.length <= MANY ? all : [own];
-  return <label onPointerEnter={open}>{label} <select value={own} onFocus={open} onChange={(event) => set(event.currentTarget.value)}>{shown.map((one) => <option value={one}>{one || "–"}</option>)}</select></label>;
+  return <label onPointerEnter={open}>{label} <select value={own} onFocus={open} onChange={(event) => set(event.currentTarget.value)}>{shown.map((one) => <option value={one}>{one || none}</option>)}</select></label>;
 }
 
 function Name({ text, label, take }: { text: string; label: string; take: (text: string) => void }) {

@@ -2,7 +2,7 @@
 // beside them.
 
 import type { Answer } from "./answer";
-import { Beside } from "./beside";
+import { Beside, Choice } from "./beside";
 import type { Editor } from "./editor";
 import { Host } from "./host";
 import type { Link } from "./link";
@@ -35,14 +35,11 @@ export function Dock({ link, editor, answer, opened, stale, scene, fields, figur
   return (
     <section class="dock" aria-label="dock">
       {answer && <Beside link={link} answer={answer} opened={opened} stale={stale} compare={compare}
-        before={<label>Charts of <select value={object ?? ALL} onChange={(event) => choose(event.currentTarget.value)}>
-          {all.map((id) => <option key={id} value={id}>{id}</option>)}
-          {all.length > 1 && <option value={ALL}>all objects</option>}
-        </select></label>} />}
+        before={<Choice label="Charts of" value={object ?? ALL} all={all.length > 1 ? [...all, ALL] : all} none="all objects" set={choose} />} />}
       <div class="docked">
         {editor && <MapView editor={editor} link={link} fields={fields} figures={figures} spans={spans} scene={scene} opened={opened} />}
-        <div class="chart-scroll" tabindex={0} role="region" aria-label="charts" ref={hosts.dock}>
-          <Host kind="section" class="charts" label="charts of the run" of={(element) => { hosts.charts.current = element; }} />
+        <div class="chart-scroll" tabindex={0} role="region" aria-label="charts of the objects" ref={hosts.dock}>
+          <Host kind="section" class="charts" label="charts" of={(element) => { hosts.charts.current = element; }} />
         </div>
       </div>
     </section>

@@ -18,11 +18,11 @@ const STEPS: Step[] = [
   { part: "scene", at: ".answers .verdict", title: "Read the verdict", does: "The answer in a sentence, worked out anew with every change: whether pairs stay closed, how exact the positions are, why a run stopped.", try: "Move the number further and see when the sentence changes." },
   { part: "scene", at: ".machine", title: "See it move", does: "The machine as it moves in this run, deviations magnified.", try: "Press play." },
   { part: "scene", at: ".dock", title: "Charts of an object", does: "The charts of the object that is loaded most, below the machine; those of another once it is clicked in the machine.", try: "Drag in a chart to zoom; move the bar between machine and charts." },
-  { part: "results", at: ".figures", title: "Figures", does: "What the run found, of every object, in tables.", try: "Point at a number: all of its digits show." },
   { part: "scene", at: ".map-view", title: "Map two numbers", does: "A figure over two numbers of the scene at once: where does it work, where does it fail?", try: "Switch the map on and click in it: both numbers are set." },
   { part: "objects", at: ".canvas", title: "The mechanism as a graph", does: "Objects and what drives what. Ports are joined by dragging; what is chosen shows its properties beside.", try: "Click an object, then add another one." },
   { part: "equations", at: ".pane-left", title: "Its equations", does: "The equations of motion that are solved, with the meaning of every letter.", try: "Look for the letter of the number that you moved." },
   { part: "text", at: ".text-pane", title: "The text behind it all", does: "Graph, drawing, forms and sliders change this text, and it keeps the form in which it was written.", try: "Type here: names are completed, faults are told at their places." },
+  { part: "results", at: ".figures", title: "Figures", does: "What the run found, of every object, in tables.", try: "Point at a number: all of its digits show." },
   { part: "scene", at: ".top .undo", title: "Take it back", does: "Every change is one step, whatever made it: typing, a slider, the graph, the map.", try: "Undo until the scene is as it was." },
   { part: "scene", at: ".top .save", title: "Save", does: "The file is written when you say so. What is not saved is kept as a draft, from crashes too.", try: "Save, or save under another name." },
 ];

@@ -27,7 +27,7 @@ test("a window comes back to a server that was started again on its port, with a
   const port = portOf();
   await server.kill();
   await expect(page.locator(".lost")).toContainText("The server is gone");
-  await set(page, "damping_capacity", "0.31");
+  await set(page, "damping capacity", "0.31");
   await expect(page.locator(".top")).toContainText("not saved");
   // What cannot be done is said.
   await page.keyboard.press("Control+s");
@@ -83,8 +83,8 @@ test("edits of two windows, one of them cut off, become one text", async ({ page
   await page.evaluate(() => { window.cut = true; for (const one of window.sockets) one.close(); });
   await expect(page.locator(".lost")).toBeVisible();
   await set(page, "inertia", "0.21");
-  await set(other, "damping_capacity", "0.33");
-  await set(other, "motion.speed", "12 rev/s");
+  await set(other, "damping capacity", "0.33");
+  await set(other, "speed", "12 rev/s");
   await page.evaluate(() => { window.cut = false; });
   await expect(page.locator(".lost")).toHaveCount(0);
   await expect(async () => {

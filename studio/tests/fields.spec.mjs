@@ -107,7 +107,7 @@ test("a linkage with one input has its port and its connection, and what cannot 
 test("numbers are worked out, or marked and held back", async ({ page }) => {
   await started();
   await opened(page, server.address);
-  const inertia = page.getByLabel("inertia", { exact: true }), speed = page.getByLabel("motion.speed", { exact: true });
+  const inertia = page.getByLabel("inertia", { exact: true }), speed = page.getByLabel("speed", { exact: true });
   const enter = async (own, text) => { await own.fill(text); await own.press("Enter"); };
   await enter(inertia, "2*3");
   await expect.poll(() => textOf(page)).toContain('"inertia": 6,');
@@ -161,7 +161,7 @@ test("a fault at a field is as high as its words, and no style of reports reache
     const [look, own] = [of("/look.css"), of("/studio.css")];
     return [...own].filter((name) => look.has(name)).sort();
   });
-  expect(shared).toEqual(["chart", "verdict"]);
+  expect(shared).toEqual(["chart"]);
 });
 
 test("notices go when their cause is gone", async ({ page }) => {

@@ -30,9 +30,11 @@ test("a machine of 1000 objects is built where it is in sight", async ({ page })
   expect(await count(page, ".charts *")).toBeLessThan(12_000);
   expect(await count(page, ".slider")).toBe(0);
   expect(await count(page, ".figures tbody tr")).toBe(101);
+  await page.getByRole("tab", { name: "Results" }).click();
   await page.getByRole("button", { name: "Show all 1001 rows" }).click();
   expect(await count(page, ".figures tbody tr")).toBe(1001);
   expect(await count(page, ".connection")).toBeLessThan(120);
+  await page.getByRole("tab", { name: "Workbench" }).click();
   expect(await count(page, ".seen-beside option")).toBeLessThan(10);
   // What is moved into sight is built, and can be used.
   const canvas = await page.locator(".objects-graph").boundingBox(), seen = () => page.locator(".object-box").evaluateAll((all) => all.map((one) => one.dataset.id));

@@ -79,7 +79,7 @@ test("a slider changes its number alone, figures follow, and one drag is one ste
 
 test("numbers are typed with units", async ({ page }) => {
   await opened(page);
-  const field = page.getByLabel("motion.speed", { exact: true });
+  const field = page.getByLabel("speed", { exact: true });
   await field.fill("540 rpm");
   await field.press("Enter");
   await expect.poll(() => textOf(page)).toContain('"speed": "540 rpm"');
