@@ -8,7 +8,7 @@ import { opened, slider, watched } from "./page.mjs";
 import { root, Server } from "./server.mjs";
 
 const files = readdirSync(join(root, "scenarios"), { recursive: true }), scenarios = files.filter((name) => name.endsWith(".json") && !name.includes("schema")).sort();
-// What nothing can be drawn of: it does not move.
+// Its run stops at the first instant: nothing moves, and there is nothing to chart.
 const STILL = [join("joint_friction", "jamming_block.json")];
 let server, wrong;
 test.use({ viewport: { width: 1280, height: 800 } });
@@ -36,8 +36,9 @@ test("machine, play button, a chart and the moved slider of every scenario are i
   const missing = [];
   for (const name of scenarios) {
     await page.locator(".top select[aria-label=scene]").selectOption(name.replaceAll(/[\\/]/g, "-"));
+    await expect(page).toHaveTitle(`${name.replaceAll(/[\\/]/g, "-")} – dam studio`);
     await expect(page.locator(".status-line .verdict"), name).toBeVisible({ timeout: 60_000 });
-    await expect(page.locator(".charts svg.dam-plot:visible").first(), name).toBeVisible({ timeout: 30_000 });
+    if (!STILL.includes(name)) await expect(page.locator(".charts svg.dam-plot:visible").first(), name).toBeVisible({ timeout: 30_000 });
     const at = async (what, locator, wide, high) => {
       if (!await locator.count()) { missing.push(`${name}: no ${what}`); return; }
       const size = await seen(locator.first());
@@ -46,8 +47,8 @@ test("machine, play button, a chart and the moved slider of every scenario are i
     if (!STILL.includes(name)) {
       await at("machine", page.locator(".machine .stations"), 300, 120);
       await at("play button", page.getByRole("button", { name: "play", exact: true }), 30, 15);
+      await at("chart", page.locator(".charts svg.dam-plot:visible"), 300, 190);
     }
-    await at("chart", page.locator(".charts svg.dam-plot:visible"), 300, 190);
     // A number that is moved stays in sight: nothing above it grows.
     const bar = page.locator(".slider input[type=range]").first();
     if (!await bar.count()) { missing.push(`${name}: no slider`); continue; }

@@ -234,7 +234,7 @@ test("units are those that were chosen, and the text stays as it is", async ({ p
   await expect(delta).toHaveText(/ deg$/);
   const shown = Number((await delta.textContent()).split(" ")[0]);
   expect(shown).toBeCloseTo(size * 180 / Math.PI, 6);
-  await expect(page.locator(".charts svg.dam-plot").filter({ hasText: /, deg/ }).first()).toBeVisible();
+  await expect(page.locator(".charts svg.dam-plot:visible").filter({ hasText: /, deg/ }).first()).toBeVisible();
   await expect(page.locator(".charts")).not.toContainText("mrad");
   // The answer's sentence too, to as many digits as it has.
   await expect(page.locator(".status-line .verdict")).toContainText(/separates .*, [\d.]+ m?s in all/);

@@ -215,7 +215,7 @@ test("a tab follows the text, is stale while the scene has faults, and says why 
   await cam.click();
   await expect(asking(page).locator(".why")).toContainText("describes its cam");
   await asking(page).getByRole("tab", { name: "Workbench", exact: true }).click();
-  await expect(page.locator(".charts svg.dam-plot").first()).toBeVisible();
+  await expect(page.locator(".charts svg.dam-plot:visible").first()).toBeVisible();
 });
 
 test("long work tells how far it is, and ends when something newer is asked", async ({ page }) => {
