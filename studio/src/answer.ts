@@ -169,7 +169,7 @@ export class Board {
       this.parts.charts.innerHTML = head.charts;
       this.separate();
       this.made = live.make(this.parts.charts, source);
-      for (const { svg, data } of this.made) if (svg.closest("[id^=object-]")) svg.parentElement!.style.order = String(-1 - FIRST.findIndex((symbol) => data.y.name.split(" ").includes(symbol)));
+      for (const { svg, data } of this.made) if (svg.closest("[id^=object-]")) svg.parentElement!.style.order = String(-1 - FIRST.findIndex((symbol) => data.title.split(" ").includes(symbol)));
       offer(this.made);
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
     } else {

@@ -92,6 +92,9 @@ test("an object that is clicked in the machine or in a table has its charts belo
   const charts = page.locator(".charts section.object:visible h2"), of = page.locator(".seen-beside label", { hasText: /^Charts of/ }).locator("select");
   // The one that is separated longest.
   await expect(charts).toHaveText([/^ejector/]);
+  // What tells the most comes first.
+  const tops = await page.locator(".charts .chart:visible").evaluateAll((all) => all.map((one) => [one.getBoundingClientRect().top, one.getBoundingClientRect().left, one.querySelector(".title").textContent]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map((one) => one[2]));
+  expect(tops.slice(0, 2)).toEqual([expect.stringContaining("δ"), expect.stringContaining("N")]);
   await page.locator('.machine .station[data-object="flywheel"]').first().click();
   await expect(charts).toHaveText([/^flywheel/]);
   await expect(page.locator('.object-box.chosen[data-id="flywheel"]')).toBeVisible();

@@ -148,7 +148,7 @@ impl<N: Number> Columns<N> {
             let [x, y] = pose.direction_to_ground(along);
             return [N::from(0.0), x, y];
         }
-        let [x, y] = pose.to_ground(point);
+        let [x, y] = pose.point_to_ground(point);
         [N::from(1.0), y, -x]
     }
 

@@ -111,7 +111,7 @@ impl<N: Number> MultiReduced<N> {
         [gx, gy]: [f64; 2],
         columns: &Columns<N>,
     ) -> [N; 4] {
-        let [x, y] = columns.poses[link.body].to_ground(link.centre);
+        let [x, y] = columns.poses[link.body].point_to_ground(link.centre);
         let velocity = &columns.velocity[link.body];
         let acceleration = &columns.acceleration[link.body];
         let [vx, vy] = at(velocity, [x, y]);

@@ -43,7 +43,7 @@ impl<N: Number> Surroundings<'_, N> {
     /// A point from the reference point, and its velocity.
     pub(super) fn point(&self, point: PointOf) -> [[N; 2]; 2] {
         let body = self.body_of_point(point);
-        let place = self.columns.poses[body].to_ground(point.at);
+        let place = self.columns.poses[body].point_to_ground(point.at);
         [place, at(&self.columns.velocity[body], place)]
     }
 
@@ -151,7 +151,7 @@ impl<N: Number> Surroundings<'_, N> {
             if link.mass == 0.0 && link.moment == 0.0 {
                 continue;
             }
-            let [x, y] = self.columns.poses[body].to_ground(link.centre);
+            let [x, y] = self.columns.poses[body].point_to_ground(link.centre);
             let velocity = &self.columns.velocity[body];
             let [vx, vy] = at(velocity, [x, y]);
             kinetic += (vx * vx + vy * vy).scale(0.5 * link.mass);

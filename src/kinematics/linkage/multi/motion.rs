@@ -98,7 +98,7 @@ impl MultiMotion {
     pub fn point(&self, point: PointOf) -> [Jet; 2] {
         let body = self.body_of_link(point.link);
         let columns = &self.space.columns;
-        let place = columns.poses[body].to_ground(point.at);
+        let place = columns.poses[body].point_to_ground(point.at);
         let velocity = columns.velocity[body];
         let [vx, vy] = at(&velocity, place);
         let [ax, ay] = at(&self.accelerations[body], place);
@@ -144,7 +144,8 @@ impl MultiMotion {
 
     /// d/dq of a point by an input.
     pub fn point_transfer(&self, point: PointOf, input: usize) -> [f64; 2] {
-        let place = self.space.columns.poses[self.body_of_link(point.link)].to_ground(point.at);
+        let place =
+            self.space.columns.poses[self.body_of_link(point.link)].point_to_ground(point.at);
         at(&self.column(point.link, input), place)
     }
 

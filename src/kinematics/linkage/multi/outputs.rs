@@ -23,7 +23,7 @@ impl<N: Number> MultiWorkspace<N> {
                 let body = point.link.unwrap_or(ground);
                 let (sin, cos) = direction.sin_cos();
                 let along = |[x, y]: [N; 2]| x.scale(cos) + y.scale(sin);
-                let place = columns.poses[body].to_ground(point.at);
+                let place = columns.poses[body].point_to_ground(point.at);
                 for (input, first) in first.iter_mut().enumerate() {
                     *first = along(at(&columns.column(plan, body, input), place));
                 }
@@ -48,8 +48,8 @@ impl<N: Number> MultiWorkspace<N> {
                     let along = columns.poses[i].direction_to_ground(direction);
                     let on = |twist: [N; 3]| along[0] * twist[1] + along[1] * twist[2];
                     let [from, to] = [
-                        columns.poses[i].to_ground(pair.on.at),
-                        columns.poses[j].to_ground(pair.link.at),
+                        columns.poses[i].point_to_ground(pair.on.at),
+                        columns.poses[j].point_to_ground(pair.link.at),
                     ];
                     for (input, first) in first.iter_mut().enumerate() {
                         *first = on(relative(input));

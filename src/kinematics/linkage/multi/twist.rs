@@ -21,7 +21,7 @@ pub(super) struct Pose<N> {
 impl<N: Number> Pose<N> {
     /// A point given in this frame.
     #[inline(always)]
-    pub(super) fn to_ground(&self, [x, y]: [f64; 2]) -> [N; 2] {
+    pub(super) fn point_to_ground(&self, [x, y]: [f64; 2]) -> [N; 2] {
         [
             self.x + self.cos.scale(x) - self.sin.scale(y),
             self.y + self.sin.scale(x) + self.cos.scale(y),
