@@ -156,6 +156,7 @@ pub(in crate::report) fn parameter_words(path: &str) -> String {
 
 /// A parameter in words where its object is named beside it: `rocker.pair.contact.stiffness` as
 /// contact stiffness, a place in a list counted from 1, of a point as x or y.
+#[cfg(feature = "live")]
 pub(crate) fn property_words(path: &str) -> String {
     let (_, inner) = path.split_once('.').unwrap_or(("", path));
     let parts: Vec<&str> = inner.split('.').collect();
@@ -173,6 +174,7 @@ pub(crate) fn property_words(path: &str) -> String {
 }
 
 /// A part of an address in words, with its places in lists.
+#[cfg(feature = "live")]
 fn listed(part: &str, is_point: bool) -> String {
     let (name, places) = match part.find('[') {
         Some(at) => part.split_at(at),
@@ -210,9 +212,7 @@ pub(in crate::report) fn condition_words(text: &str, figure: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{
-        condition_words, in_words, parameter_words, property_words, result_words, setting_words,
-    };
+    use super::{condition_words, in_words, parameter_words, result_words, setting_words};
 
     #[test]
     fn results_and_parameters_are_named() {
@@ -256,8 +256,10 @@ mod tests {
         }
     }
 
+    #[cfg(feature = "live")]
     #[test]
     fn properties_are_named_without_their_object() {
+        use super::property_words;
         for (path, words) in [
             ("shaft.motion.speed", "speed"),
             ("rocker.damping_capacity", "damping capacity"),

@@ -65,6 +65,7 @@ pub(in crate::report) enum Room {
     /// On a page, as high as it needs.
     Page,
     /// On a canvas that shows all of it at once.
+    #[cfg(feature = "live")]
     Canvas,
 }
 

@@ -113,7 +113,7 @@ impl std::error::Error for ForceFailure {}
 
 impl Kinetostatics {
     /// Reactions, driving force and friction at a position; they are then in
-    /// `w` ([`ForceWorkspace::drive`], [`Kinetostatics::reaction`], …).
+    /// `w` ([`ForceWorkspace::driver_force`], [`Kinetostatics::reaction`], …).
     ///
     /// Allocates nothing where friction is moderate (uniqueness proved).
     ///
@@ -148,7 +148,7 @@ impl Kinetostatics {
 
     /// The same for a linkage of several inputs: derivatives of the positions are over time,
     /// `rates` those of the inputs. The drivers' forces are then in
-    /// [`ForceWorkspace::drives`], [`ForceWorkspace::drive`] is their power.
+    /// [`ForceWorkspace::driver_forces`], [`ForceWorkspace::driver_force`] is their power.
     ///
     /// # Errors
     ///
