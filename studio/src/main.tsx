@@ -325,7 +325,10 @@ function Studio() {
   const errors = faults.filter((fault) => fault.severity === "error");
   const found = latest.current?.figures, figures = useMemo(() => found ? figuresOf(found) : [], [found]);
   const objectsOf = found ? Object.keys(found) : [], shown = loaded !== null && (loaded === ALL || objectsOf.includes(loaded)) ? loaded : mostLoaded(found ?? {});
-  useEffect(() => { board.current?.only(shown === ALL ? null : shown); }, [shown]);
+  // Another scene begins with all of them.
+  useEffect(() => { board.current?.only(shown === ALL ? null : shown); }, [shown, opened]);
+  // It stays while numbers move, whichever is loaded most by then.
+  useEffect(() => { if (loaded === null && shown !== null) setLoaded(shown); }, [loaded, shown]);
   const isSaved = status.saved && (editor.current?.isSettled ?? true);
   return (
     <div class="studio">

@@ -308,15 +308,19 @@ fn the_least_speed_of_lift_off_is_that_of_the_closed_motion_whatever_the_start()
     }
 }
 
+/// A follower as that of a disc cam with a roller, and what `dam cam --lift-off` says of it.
+fn on_a_disc_cam(folder: &tempfile::TempDir, scene: &str) -> (String, String) {
+    let shape =
+        r#""masses": 1, "cam": { "base_radius": "30 mm", "contact": { "roller": "10 mm" } }"#;
+    let scene = written(folder, &scene.replace(r#""masses": 1"#, shape));
+    let text = dam(&["cam", &scene, "--lift-off"]).stdout;
+    (scene, String::from_utf8_lossy(&text).into_owned())
+}
+
 #[test]
 fn a_follower_between_bands_of_lift_off_is_in_working_order() {
     let folder = tempfile::tempdir().unwrap();
-    let shape =
-        r#""masses": 1, "cam": { "base_radius": "30 mm", "contact": { "roller": "10 mm" } }"#;
-    let scene = lightly_damped("static", 100.0, 0.02).replace(r#""masses": 1"#, shape);
-    let scene = written(&folder, &scene);
-    let text = dam(&["cam", &scene, "--lift-off"]).stdout;
-    let text = String::from_utf8_lossy(&text);
+    let (_, text) = on_a_disc_cam(&folder, &lightly_damped("static", 100.0, 0.02));
     assert!(text.contains("lifts off in bands of speed"), "{text}");
     assert!(!text.contains("Not in working order"), "{text}");
     assert!(!text.contains("bounces on"), "{text}");
@@ -325,13 +329,9 @@ fn a_follower_between_bands_of_lift_off_is_in_working_order() {
 #[test]
 fn a_start_from_which_the_follower_bounces_on_below_lift_off_is_stated() {
     let folder = tempfile::tempdir().unwrap();
-    let shape =
-        r#""masses": 1, "cam": { "base_radius": "30 mm", "contact": { "roller": "10 mm" } }"#;
-    let scene = lightly_damped("static", 250.0, 0.02).replace(r#""masses": 1"#, shape);
+    let scene = lightly_damped("static", 250.0, 0.02);
     let high = r#"{ "follower": { "displacement": ["30 mm"], "speed": ["-3 m/s"] } }"#;
-    let scene = written(&folder, &scene.replace(r#""static""#, high));
-    let text = dam(&["cam", &scene, "--lift-off"]).stdout;
-    let text = String::from_utf8_lossy(&text);
+    let (scene, text) = on_a_disc_cam(&folder, &scene.replace(r#""static""#, high));
     assert!(text.contains("bounces on at 777.0 rpm"), "{text}");
     assert!(text.contains("792.8 rpm"), "{text}");
     // A run at that speed from the same start confirms it in its last turns.
