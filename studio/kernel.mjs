@@ -2,13 +2,20 @@
 
 export class Kernel {
   static async of(program) {
-    const kernel = new Kernel(), decoder = new TextDecoder();
+    const kernel = new Kernel(),
+      decoder = new TextDecoder();
     const bytes = (at, length) => new Uint8Array(kernel.made.memory.buffer, at, length);
     const page = {
       milliseconds: () => performance.now(),
-      text: (at, length) => { kernel.told.push(decoder.decode(bytes(at, length))); },
-      answer: (at, length) => { kernel.answers.push(bytes(at, length).slice()); },
-      failed: (at, length) => { kernel.failed = decoder.decode(bytes(at, length)); },
+      text: (at, length) => {
+        kernel.told.push(decoder.decode(bytes(at, length)));
+      },
+      answer: (at, length) => {
+        kernel.answers.push(bytes(at, length).slice());
+      },
+      failed: (at, length) => {
+        kernel.failed = decoder.decode(bytes(at, length));
+      },
     };
     kernel.made = (await WebAssembly.instantiate(program, { page })).instance.exports;
     return kernel;

@@ -8,7 +8,9 @@ const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.
 export default defineConfig({
   ...own,
   define: { PROGRAM: JSON.stringify(version) },
-  resolve: { alias: [{ find: /^\.\/connection$/, replacement: new URL("src/offline/connection.tsx", import.meta.url).pathname }] },
+  resolve: {
+    alias: [{ find: /^\.\/connection$/, replacement: new URL("src/offline/connection.tsx", import.meta.url).pathname }],
+  },
   build: { ...own.build, outDir: "node_modules/.offline", emptyOutDir: true, copyPublicDir: false },
   worker: { format: "iife" },
 });

@@ -9,7 +9,8 @@ import { Kernel } from "./kernel.mjs";
 
 const [wasm, out] = process.argv.slice(2);
 if (!out) throw new Error("usage: node offline.mjs KERNEL.wasm OUT.html");
-const program = readFileSync(wasm), kernel = await Kernel.of(program);
+const program = readFileSync(wasm),
+  kernel = await Kernel.of(program);
 const { value: look } = JSON.parse(kernel.ask({ ask: "look", number: 0 })[0]);
 const built = (name) => readFileSync(new URL(`node_modules/.offline/${name}`, import.meta.url), "utf8");
 // What stands in a script must not end it.
@@ -18,8 +19,14 @@ const scripts = [look["plot.js"], look["player.js"], built("studio.js")].map(scr
 const sum = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 // Nothing is fetched, and nothing runs but what is in the file.
 const policy = [
-  "default-src 'none'", `script-src ${scripts.map(sum).join(" ")} blob: data: 'wasm-unsafe-eval'`,
-  "style-src 'unsafe-inline'", "img-src data: blob:", "worker-src blob: data:", "connect-src 'none'", "form-action 'none'", "base-uri 'none'",
+  "default-src 'none'",
+  `script-src ${scripts.map(sum).join(" ")} blob: data: 'wasm-unsafe-eval'`,
+  "style-src 'unsafe-inline'",
+  "img-src data: blob:",
+  "worker-src blob: data:",
+  "connect-src 'none'",
+  "form-action 'none'",
+  "base-uri 'none'",
 ].join("; ");
 const page = `<!DOCTYPE html>
 <html lang="en">

@@ -35,7 +35,8 @@ for (const [name, scene, tab, shown] of VIEWS) {
     await page.waitForFunction(() => !document.querySelector("[aria-busy=true]"));
     await page.waitForLoadState("networkidle");
     await page.screenshot({ path: join(all, `${name}-${colorScheme}.png`) });
-    if (shown && colorScheme === "light") await page.screenshot({ path: join(root, "docs/site/pictures", `studio-${name}.png`) });
+    if (shown && colorScheme === "light")
+      await page.screenshot({ path: join(root, "docs/site/pictures", `studio-${name}.png`) });
     await page.close();
   }
   await server.end();

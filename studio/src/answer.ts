@@ -41,13 +41,21 @@ export function read(frame: ArrayBuffer): { head: Answer; columns: (number | nul
 
 // Columns are made where a chart asks for them.
 function lazily(lengths: (number | null)[], values: Float64Array): (number | null)[][] {
-  const starts: number[] = [], made: (number | null)[][] = [];
-  lengths.reduce<number>((at, count, index) => { if (count !== null) starts[index] = at; return at + (count ?? 0); }, 0);
-  return new Proxy(made, { get: (_, key) => {
-    const index = typeof key === "string" ? Number(key) : NaN;
-    if (!(index in starts)) return Reflect.get(made, key);
-    return (made[index] ??= Array.from(values.subarray(starts[index]!, starts[index]! + lengths[index]!), (value) => Number.isNaN(value) ? null : value));
-  } });
+  const starts: number[] = [],
+    made: (number | null)[][] = [];
+  lengths.reduce<number>((at, count, index) => {
+    if (count !== null) starts[index] = at;
+    return at + (count ?? 0);
+  }, 0);
+  return new Proxy(made, {
+    get: (_, key) => {
+      const index = typeof key === "string" ? Number(key) : NaN;
+      if (!(index in starts)) return Reflect.get(made, key);
+      return (made[index] ??= Array.from(values.subarray(starts[index]!, starts[index]! + lengths[index]!), (value) =>
+        Number.isNaN(value) ? null : value,
+      ));
+    },
+  });
 }
 
 // Rows of a table at first; the others come when they are asked for.
@@ -56,11 +64,14 @@ const ROWS = 100;
 const whole = new WeakSet<Element>();
 
 function shorten(body: HTMLTableSectionElement): void {
-  const { rows } = body, count = rows.length, width = rows[0]?.cells.length ?? 1;
+  const { rows } = body,
+    count = rows.length,
+    width = rows[0]?.cells.length ?? 1;
   // A few more are no reason to hide them.
   if (count <= 1.5 * ROWS) return;
   while (rows.length > ROWS) rows[rows.length - 1]!.remove();
-  const cell = body.insertRow().insertCell(), button = document.createElement("button");
+  const cell = body.insertRow().insertCell(),
+    button = document.createElement("button");
   cell.colSpan = width;
   button.type = "button";
   button.className = "all-rows";
@@ -84,7 +95,7 @@ const REST = 1000;
 const FIRST = ["N", "δ"];
 
 // Where a chart stands among those of the answer.
-const placeOf = (chart: PlotChart): number => Number(chart.group.dataset["plot"]);
+const placeOf = (chart: PlotChart): number => Number(chart.group.dataset.plot);
 
 export class Board {
   private made: PlotChart[] = [];
@@ -103,12 +114,18 @@ export class Board {
   // The object whose charts are shown; null: those of all.
   private object: string | null = null;
 
-  constructor(private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void, choose: (id: string) => void) {
-    for (const part of [parts.tables, parts.compared]) part.addEventListener("click", ({ target }) => {
-      if (!(target as Element).matches(".all-rows")) return;
-      whole.add(part);
-      this.again();
-    });
+  constructor(
+    private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element },
+    scroller: Element,
+    private readonly told: (sight: number[]) => void,
+    choose: (id: string) => void,
+  ) {
+    for (const part of [parts.tables, parts.compared])
+      part.addEventListener("click", ({ target }) => {
+        if (!(target as Element).matches(".all-rows")) return;
+        whole.add(part);
+        this.again();
+      });
     parts.tables.addEventListener("click", (event) => {
       const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#object-"]');
       if (!link) return;
@@ -116,29 +133,42 @@ export class Board {
       choose(decodeURIComponent(link.hash.slice("#object-".length)));
     });
     parts.machine.addEventListener("click", (event) => {
-      const id = (event.target as Element).closest<SVGElement>("[data-object]")?.dataset["object"];
+      const id = (event.target as Element).closest<SVGElement>("[data-object]")?.dataset.object;
       if (id) choose(id);
     });
-    this.watch = new IntersectionObserver((entries) => {
-      for (const { target, isIntersecting } of entries) {
-        if (isIntersecting) this.seen.add(target); else this.seen.delete(target);
-        const chart = this.made.find((one) => one.svg === target);
-        if (isIntersecting && chart?.stale) chart.draw();
-      }
-      // The numbers of what has come into sight come then.
-      this.look();
-    }, { root: scroller, rootMargin: "120px" });
+    this.watch = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries) {
+          if (isIntersecting) this.seen.add(target);
+          else this.seen.delete(target);
+          const chart = this.made.find((one) => one.svg === target);
+          if (isIntersecting && chart?.stale) chart.draw();
+        }
+        // The numbers of what has come into sight come then.
+        this.look();
+      },
+      { root: scroller, rootMargin: "120px" },
+    );
   }
 
-  private look(): void { this.told(this.made.filter((chart) => this.seen.has(chart.svg)).map(placeOf)); }
+  private look(): void {
+    this.told(this.made.filter((chart) => this.seen.has(chart.svg)).map(placeOf));
+  }
 
   // Charts whose numbers did not come, since nobody sees them, are printed: at rest they come.
   private follow(head: Answer): void {
     clearTimeout(this.rest);
     const behind = this.made.filter((chart) => !head.plots[placeOf(chart)]);
     for (const chart of this.made) chart.svg.parentElement?.classList.toggle("behind", behind.includes(chart));
-    if (behind.length) this.rest = setTimeout(() => { this.all = true; this.told(this.made.map(placeOf)); }, REST);
-    else if (this.all) { this.all = false; this.look(); }
+    if (behind.length)
+      this.rest = setTimeout(() => {
+        this.all = true;
+        this.told(this.made.map(placeOf));
+      }, REST);
+    else if (this.all) {
+      this.all = false;
+      this.look();
+    }
   }
 
   // Shows the charts of one object, or of all, and what belongs to none.
@@ -149,18 +179,22 @@ export class Board {
   private separate(): void {
     const sections = [...this.parts.charts.querySelectorAll<HTMLElement>("section.object")];
     const isThere = sections.some((one) => one.id === `object-${this.object}`);
-    for (const one of sections) one.hidden = isThere && one.id.startsWith("object-") && one.id !== `object-${this.object}`;
+    for (const one of sections)
+      one.hidden = isThere && one.id.startsWith("object-") && one.id !== `object-${this.object}`;
     this.mark();
   }
   // The object that was chosen, in the picture of the machine.
   private mark(): void {
-    for (const one of this.parts.machine.querySelectorAll<SVGElement>("[data-object]")) one.classList.toggle("chosen", one.dataset["object"] === this.object);
+    for (const one of this.parts.machine.querySelectorAll<SVGElement>("[data-object]"))
+      one.classList.toggle("chosen", one.dataset.object === this.object);
   }
 
   show(frame: ArrayBuffer): Answer {
     const { head, columns } = read(frame);
     if (head.charts !== undefined) this.plots = [];
-    head.plots.forEach((plot, place) => { if (plot) this.plots[place] = plot; });
+    head.plots.forEach((plot, place) => {
+      if (plot) this.plots[place] = plot;
+    });
     const source = { columns, plots: this.plots };
     if (head.charts !== undefined) {
       live.drop(this.made);
@@ -169,9 +203,16 @@ export class Board {
       this.parts.charts.innerHTML = head.charts;
       this.separate();
       this.made = live.make(this.parts.charts, source);
-      for (const { svg, data } of this.made) if (svg.closest("[id^=object-]")) svg.parentElement!.style.order = String(-1 - FIRST.findIndex((symbol) => data.title.split(" ").includes(symbol)));
+      for (const { svg, data } of this.made)
+        if (svg.closest("[id^=object-]"))
+          svg.parentElement!.style.order = String(
+            -1 - FIRST.findIndex((symbol) => data.title.split(" ").includes(symbol)),
+          );
       offer(this.made);
-      for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
+      for (const chart of this.made) {
+        this.seen.add(chart.svg);
+        this.watch.observe(chart.svg);
+      }
     } else {
       const fresh = this.made.filter((chart) => head.plots[placeOf(chart)]);
       for (const chart of this.made) chart.stale = true;
@@ -200,12 +241,17 @@ export class Board {
   }
 
   private move({ moving, pictures }: Answer, source: PlotSource): void {
-    const { machine: place } = this.parts, choices = JSON.stringify([moving?.magnify?.choices, moving?.columns.length, moving?.sets.length]);
+    const { machine: place } = this.parts,
+      choices = JSON.stringify([moving?.magnify?.choices, moving?.columns.length, moving?.sets.length]);
     this.last = moving && [moving, source];
     if (this.playing && moving && choices === this.choices) {
       this.playing.update(moving, source, pictures);
       // Other pictures, in the units that they were drawn with.
-      if (pictures !== undefined) { remeasure(place); this.playing.update(moving, source); this.mark(); }
+      if (pictures !== undefined) {
+        remeasure(place);
+        this.playing.update(moving, source);
+        this.mark();
+      }
       return;
     }
     this.playing?.stop();
@@ -235,6 +281,9 @@ export class Board {
     this.tables = this.compared = "";
     this.object = null;
     this.sheet.fit();
-    for (const part of Object.values(this.parts)) { part.replaceChildren(); whole.delete(part); }
+    for (const part of Object.values(this.parts)) {
+      part.replaceChildren();
+      whole.delete(part);
+    }
   }
 }

@@ -8,20 +8,35 @@ import type { Link, Message } from "./link";
 import { OptionField, type Option } from "./option";
 import { choice, reshow } from "./units";
 
-export interface Question { command: string; tab: string; about: string; fields: Option[]; why: string | null; choices: Record<string, string[]> | null }
+export interface Question {
+  command: string;
+  tab: string;
+  about: string;
+  fields: Option[];
+  why: string | null;
+  choices: Record<string, string[]> | null;
+}
 type Values = Record<string, string[]>;
 
 // The workbench, and what the run found in tables: they are no questions.
-export const BENCH = "Workbench", RESULTS = "Results";
+export const BENCH = "Workbench",
+  RESULTS = "Results";
 const FIRST = [BENCH, RESULTS];
 
 // What came of a version: told while the tab is closed too, at little cost.
-export interface Hearing { checked: (version: number) => void }
+export interface Hearing {
+  checked: (version: number) => void;
+}
 
 interface Props {
-  link: Link; scene: string; tab: string; choose: (tab: string) => void; hearing: Hearing;
+  link: Link;
+  scene: string;
+  tab: string;
+  choose: (tab: string) => void;
+  hearing: Hearing;
   // Counts how often a scene was opened: the server knows no question by then.
-  opened: number; faulty: boolean;
+  opened: number;
+  faulty: boolean;
 }
 
 // The first of what the scene offers stands where something is needed, or where there are several.
@@ -36,7 +51,9 @@ function filled(question: Question, values: Values): Values {
 }
 
 const lacks = (question: Question, values: Values): string[] =>
-  question.fields.filter(({ name, required }) => required && !values[name]?.some((value) => value !== "")).map(({ name }) => name);
+  question.fields
+    .filter(({ name, required }) => required && !values[name]?.some((value) => value !== ""))
+    .map(({ name }) => name);
 
 export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Props) {
   // The questions, and the scene that they were asked of.
@@ -49,8 +66,11 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const [subtitle, setSubtitle] = useState("");
   const [files, setFiles] = useState<string[]>([]);
   const [waiting, setWaiting] = useState(false);
-  const place = useRef<HTMLElement>(null!), shown = useRef(""), drawn = useRef<{ message: Message; command: string } | null>(null);
-  const made = useRef<PlotChart[]>([]), players = useRef<Playing[]>([]);
+  const place = useRef<HTMLElement>(null!),
+    shown = useRef(""),
+    drawn = useRef<{ message: Message; command: string } | null>(null);
+  const made = useRef<PlotChart[]>([]),
+    players = useRef<Playing[]>([]);
   const { questions } = forms;
   const names = [...new Set(questions.map((one) => one.tab))];
   const own = questions.filter((one) => one.tab === tab);
@@ -60,28 +80,40 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const needs = chosen ? lacks(chosen, given) : [];
   const options = Object.fromEntries(Object.entries(given).filter(([, list]) => list.length));
   const open = !FIRST.includes(tab);
-  const question = !open || forms.of !== scene || !chosen || chosen.why || needs.length ? null : JSON.stringify({ command: chosen.command, options });
+  const question =
+    !open || forms.of !== scene || !chosen || chosen.why || needs.length
+      ? null
+      : JSON.stringify({ command: chosen.command, options });
 
   const clear = () => {
     live.drop(made.current);
-    players.current.forEach((one) => one.stop());
+    for (const one of players.current) one.stop();
     made.current = [];
     players.current = [];
     shown.current = "";
     drawn.current = null;
     place.current?.replaceChildren();
-    setSubtitle(""); setFiles([]);
+    setSubtitle("");
+    setFiles([]);
   };
 
-  const wanted = useRef(question), answered = useRef(-1), newest = useRef(-1);
+  const wanted = useRef(question),
+    answered = useRef(-1),
+    newest = useRef(-1);
   wanted.current = question;
 
   // What was chosen for one scene is nothing of another. (At once: later it would undo what is chosen.)
-  useLayoutEffect(() => { setValues({}); setPart({}); answered.current = newest.current = -1; }, [scene]);
+  useLayoutEffect(() => {
+    setValues({});
+    setPart({});
+    answered.current = newest.current = -1;
+  }, [scene]);
 
   // ---- which questions fit: asked anew some time after the text was another
   useEffect(() => {
-    let late = 0, gone = false, asked = "";
+    let late = 0,
+      gone = false,
+      asked = "";
     const ask = async () => {
       if (!scene || gone) return;
       try {
@@ -91,7 +123,9 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
         if (gone || text === asked || (asked && !found.fits)) return;
         asked = text;
         setForms({ of: scene, questions: found.questions });
-      } catch { /* the top bar tells that the server is gone */ }
+      } catch {
+        /* the top bar tells that the server is gone */
+      }
     };
     hearing.checked = (version) => {
       newest.current = version;
@@ -100,12 +134,18 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       late = setTimeout(ask, 300);
     };
     void ask();
-    return () => { gone = true; clearTimeout(late); hearing.checked = () => {}; };
+    return () => {
+      gone = true;
+      clearTimeout(late);
+      hearing.checked = () => {};
+    };
   }, [scene, opened]);
 
   // ---- the question, and its answers
   useEffect(() => {
-    setRefused(""); setProgress(null); setTold("");
+    setRefused("");
+    setProgress(null);
+    setTold("");
     if (shown.current && shown.current !== chosen?.command) clear();
     setWaiting(question !== null);
     if (scene) link.send({ type: "question", question: question === null ? null : JSON.parse(question) });
@@ -115,7 +155,8 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   useEffect(() => {
     link.on("question_progress", ({ done, of, now }) => setProgress({ done, of, now }));
     link.on("question", (message: Message) => {
-      const of = message.question, now = wanted.current === null ? null : JSON.parse(wanted.current);
+      const of = message.question,
+        now = wanted.current === null ? null : JSON.parse(wanted.current);
       requestAnimationFrame(() => link.send({ type: "question_shown" }));
       // An answer to what was asked before.
       if (!now || (of && JSON.stringify(sorted(of)) !== JSON.stringify(sorted(now)))) return;
@@ -131,7 +172,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const draw = (message: Message, command: string) => {
     const width = made.current[0]?.width;
     live.drop(made.current);
-    players.current.forEach((one) => one.stop());
+    for (const one of players.current) one.stop();
     drawn.current = { message, command };
     place.current.innerHTML = (message.answer ?? "") + message.warnings + message.html;
     reshow(place.current);
@@ -141,7 +182,12 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     offer(made.current);
     players.current = [...place.current.querySelectorAll<HTMLElement>("figure.moving")].flatMap((figure) => {
       const given = place.current.querySelector(`[id="${figure.id}-data"]`);
-      const playing = given && machine.player(figure, JSON.parse(given.textContent!), { columns: message.columns, plots: Object.values(message.plots) as PlotData[] });
+      const playing =
+        given &&
+        machine.player(figure, JSON.parse(given.textContent!), {
+          columns: message.columns,
+          plots: Object.values(message.plots) as PlotData[],
+        });
       return playing ? [playing] : [];
     });
     shown.current = command;
@@ -150,7 +196,9 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   };
 
   // In other units.
-  useEffect(() => { if (drawn.current) draw(drawn.current.message, drawn.current.command); }, [choice.number]);
+  useEffect(() => {
+    if (drawn.current) draw(drawn.current.message, drawn.current.command);
+  }, [choice.number]);
 
   const fetched = async (name: string) => {
     setTold(`${name} is being made …`);
@@ -158,13 +206,17 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       const text = await link.text(`/api/file?${new URLSearchParams({ scene, question: question!, name })}`);
       save(name, text);
       setTold("");
-    } catch (error) { setTold(`${name}: ${(error as Error).message}`); }
+    } catch (error) {
+      setTold(`${name}: ${(error as Error).message}`);
+    }
   };
-  const set = (name: string, list: string[]) => setValues((all) => {
-    const before = { ...all[chosen!.command] };
-    if (list.length) before[name] = list; else delete before[name];
-    return { ...all, [chosen!.command]: before };
-  });
+  const set = (name: string, list: string[]) =>
+    setValues((all) => {
+      const before = { ...all[chosen!.command] };
+      if (list.length) before[name] = list;
+      else delete before[name];
+      return { ...all, [chosen!.command]: before };
+    });
 
   // While the scene has faults all of the answers are marked.
   const stale = open && shown.current !== "" && refused !== "" && !faulty;
@@ -172,30 +224,122 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     <section class="asking" aria-label="questions" aria-busy={waiting && !faulty && question !== null}>
       <div key="tabs" class="tabs" role="tablist" aria-label="questions">
         {[...FIRST, ...names].map((name) => {
-          const all = questions.filter((one) => one.tab === name), why = all.length && all.every((one) => one.why) ? all[0]!.why! : "";
-          return <button type="button" role="tab" key={name} class={why ? "unfit" : ""} aria-selected={tab === name} title={why} onClick={() => choose(name)}>{name}</button>;
+          const all = questions.filter((one) => one.tab === name),
+            why = all.length && all.every((one) => one.why) ? all[0]!.why! : "";
+          return (
+            <button
+              type="button"
+              role="tab"
+              key={name}
+              class={why ? "unfit" : ""}
+              aria-selected={tab === name}
+              title={why}
+              onClick={() => choose(name)}
+            >
+              {name}
+            </button>
+          );
         })}
       </div>
       <div key="asked" class="asked" hidden={!open}>
-      {open && own.length > 1 && <div key="parts" class="parts" role="radiogroup" aria-label="which question">{own.map((one) =>
-        <label key={one.command} title={one.why ?? ""}><input type="radio" name="part" checked={chosen === one} disabled={!!one.why} onChange={() => setPart((all) => ({ ...all, [tab]: one.command }))} /> {one.command}</label>)}</div>}
-      {open && chosen && <p key="about" class="soft about">{chosen.about}</p>}
-      {open && chosen?.why && <p key="why" class="why" role="status">This scene does not fit: {chosen.why}</p>}
-      {open && chosen && !chosen.why && <details key={`options ${chosen.command}`} class="options" open={needs.length > 0 || chosen.fields.some((one) => one.required)}>
-        <summary>Options{said(values[chosen.command])}</summary>
-        <form onSubmit={(event) => event.preventDefault()}>{chosen.fields.map((one) =>
-          <OptionField key={one.name} option={one} offered={chosen.choices?.[one.name] ?? []} values={given[one.name] ?? []} set={(list) => set(one.name, list)} />)}</form>
-      </details>}
-      {open && needs.length > 0 && <p key="needs" class="soft" role="status">To be given: {needs.join(", ")}.</p>}
-      {open && waiting && question && !faulty && <p key="progress" class="soft working" role="status">
-        {progress && progress.of > 0 ? <progress max={progress.of} value={progress.done} aria-label="progress" /> : <progress aria-label="progress" />} {progress?.now ?? "being worked out"}</p>}
-      {open && refused && <p key="refused" class="refused" role="alert">{refused}</p>}
-      {stale && <p key="stale" class="stale-mark" role="status">Stale: this is the last good answer.</p>}
-      {open && subtitle && <p key="subtitle" class="soft subtitle">{subtitle}</p>}
-      <Host key="place" class="found" of={(element) => { place.current = element; }} />
-      {open && files.length > 0 && <p key="files" class="files"><span class="soft">Files of the command:</span> {files.map((name) =>
-        <button type="button" key={name} onClick={() => void fetched(name)}>{name}</button>)}</p>}
-      {open && told && <p key="told" class="soft" role="status">{told}</p>}
+        {open && own.length > 1 && (
+          <div key="parts" class="parts" role="radiogroup" aria-label="which question">
+            {own.map((one) => (
+              <label key={one.command} title={one.why ?? ""}>
+                <input
+                  type="radio"
+                  name="part"
+                  checked={chosen === one}
+                  disabled={!!one.why}
+                  onChange={() => setPart((all) => ({ ...all, [tab]: one.command }))}
+                />{" "}
+                {one.command}
+              </label>
+            ))}
+          </div>
+        )}
+        {open && chosen && (
+          <p key="about" class="soft about">
+            {chosen.about}
+          </p>
+        )}
+        {open && chosen?.why && (
+          <p key="why" class="why" role="status">
+            This scene does not fit: {chosen.why}
+          </p>
+        )}
+        {open && chosen && !chosen.why && (
+          <details
+            key={`options ${chosen.command}`}
+            class="options"
+            open={needs.length > 0 || chosen.fields.some((one) => one.required)}
+          >
+            <summary>Options{said(values[chosen.command])}</summary>
+            <form onSubmit={(event) => event.preventDefault()}>
+              {chosen.fields.map((one) => (
+                <OptionField
+                  key={one.name}
+                  option={one}
+                  offered={chosen.choices?.[one.name] ?? []}
+                  values={given[one.name] ?? []}
+                  set={(list) => set(one.name, list)}
+                />
+              ))}
+            </form>
+          </details>
+        )}
+        {open && needs.length > 0 && (
+          <p key="needs" class="soft" role="status">
+            To be given: {needs.join(", ")}.
+          </p>
+        )}
+        {open && waiting && question && !faulty && (
+          <p key="progress" class="soft working" role="status">
+            {progress && progress.of > 0 ? (
+              <progress max={progress.of} value={progress.done} aria-label="progress" />
+            ) : (
+              <progress aria-label="progress" />
+            )}{" "}
+            {progress?.now ?? "being worked out"}
+          </p>
+        )}
+        {open && refused && (
+          <p key="refused" class="refused" role="alert">
+            {refused}
+          </p>
+        )}
+        {stale && (
+          <p key="stale" class="stale-mark" role="status">
+            Stale: this is the last good answer.
+          </p>
+        )}
+        {open && subtitle && (
+          <p key="subtitle" class="soft subtitle">
+            {subtitle}
+          </p>
+        )}
+        <Host
+          key="place"
+          class="found"
+          of={(element) => {
+            place.current = element;
+          }}
+        />
+        {open && files.length > 0 && (
+          <p key="files" class="files">
+            <span class="soft">Files of the command:</span>{" "}
+            {files.map((name) => (
+              <button type="button" key={name} onClick={() => void fetched(name)}>
+                {name}
+              </button>
+            ))}
+          </p>
+        )}
+        {open && told && (
+          <p key="told" class="soft" role="status">
+            {told}
+          </p>
+        )}
       </div>
     </section>
   );
@@ -209,5 +353,5 @@ function said(values: Values | undefined): string {
 
 // In an order of its own: the server has another.
 function sorted({ command, options }: { command: string; options: Values }): unknown {
-  return [command, Object.entries(options).sort(([a], [b]) => a < b ? -1 : 1)];
+  return [command, Object.entries(options).sort(([a], [b]) => (a < b ? -1 : 1))];
 }

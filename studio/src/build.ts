@@ -11,11 +11,25 @@ import { COPY, far, length, shows, snapped, within, type Joint, type Point, type
 import { find, member, unitOf, type Step, type Steps, type Value } from "./tree";
 
 // A linkage as it is drawn, and what it is drawn on.
-export interface Board { sketch: Sketch; pose: number[]; joints: Joint[]; grid: number; known: Known }
+export interface Board {
+  sketch: Sketch;
+  pose: number[];
+  joints: Joint[];
+  grid: number;
+  known: Known;
+}
 // A place of it: a joint, a link, or neither.
-export interface Spot { at: Point; joint: Joint | null; link: number | null }
+export interface Spot {
+  at: Point;
+  joint: Joint | null;
+  link: number | null;
+}
 // An end of a pair in the text, with the letter that is told there.
-interface Hold { point: string; letter: string; ground: boolean }
+interface Hold {
+  point: string;
+  letter: string;
+  ground: boolean;
+}
 
 const LETTERS = [..."ABCDEFGHIJKLMNPQRSTUVWXYZ"];
 const pathOf = ({ sketch }: Board, ...inner: Step[]): Step[] => ["objects", sketch.id, ...inner];
@@ -28,7 +42,9 @@ export function spotAt({ sketch, joints, grid }: Board, place: Point, reach: num
   if (near && near.off <= reach) return { at: near.joint.at, joint: near.joint, link: null };
   const free = snapped(place, grid);
   const link = sketch.links.findIndex((_, index) => {
-    const own = joints.filter((joint) => joint.origins.includes(index) || joint.points.some((point) => point.link === index));
+    const own = joints.filter(
+      (joint) => joint.origins.includes(index) || joint.points.some((point) => point.link === index),
+    );
     return own.some((a, k) => own.slice(k + 1).some((b) => beside(place, a.at, b.at) < reach / 2));
   });
   return { at: free, joint: null, link: link < 0 ? null : link };
@@ -36,14 +52,19 @@ export function spotAt({ sketch, joints, grid }: Board, place: Point, reach: num
 
 // How far a place is from a line between two others.
 function beside(place: Point, a: Point, b: Point): number {
-  const [u, v] = [b[0] - a[0], b[1] - a[1]], share = ((place[0] - a[0]) * u + (place[1] - a[1]) * v) / (u * u + v * v || 1);
+  const [u, v] = [b[0] - a[0], b[1] - a[1]],
+    share = ((place[0] - a[0]) * u + (place[1] - a[1]) * v) / (u * u + v * v || 1);
   const on = Math.min(1, Math.max(0, share));
   return far(place, [a[0] + on * u, a[1] + on * v]);
 }
 
 // A letter that nothing of the linkage has.
 function letter(steps: Steps, board: Board): string {
-  const own = find(steps.root, pathOf(board)), points = [member(own, "ground")?.value, ...(member(own, "links")?.value.members ?? []).map((link) => member(link.value, "points")?.value)];
+  const own = find(steps.root, pathOf(board)),
+    points = [
+      member(own, "ground")?.value,
+      ...(member(own, "links")?.value.members ?? []).map((link) => member(link.value, "points")?.value),
+    ];
   const taken = new Set([...points.flatMap(namesOf), ...namesOf(member(own, "pairs")?.value)]);
   return LETTERS.find((one) => !taken.has(one)) ?? freeName("A", taken);
 }
@@ -56,18 +77,25 @@ function numbered(stem: string, taken: string[]): string {
 }
 
 // Whether it stands in the text: what is told if not.
-const own = (steps: Steps, board: Board): string | null => member(find(steps.root, pathOf(board)), "from") ? COPY : null;
+const own = (steps: Steps, board: Board): string | null =>
+  member(find(steps.root, pathOf(board)), "from") ? COPY : null;
 
 // A linkage without any parts, and a drive for it where there is none: its name.
 export function begun(steps: Steps): string {
-  const objects = find(steps.root, ["objects"]), taken = namesOf(objects), [one, two, three] = [1, 2, 3].map((depth) => unitOf(steps.edits.text).repeat(depth));
+  const objects = find(steps.root, ["objects"]),
+    taken = namesOf(objects),
+    [one, two, three] = [1, 2, 3].map((depth) => unitOf(steps.edits.text).repeat(depth));
   let drive = objects?.members.find((object) => member(object.value, "kind")?.value.text === "drive")?.name;
   if (drive === undefined) {
     drive = freeName("drive", taken);
     steps.set(["objects", drive], '{ "kind": "drive", "motion": { "speed": "60 rpm" } }');
   }
-  const id = freeName("linkage", taken), parts = ["ground", "links", "pairs", "assembly"].map((name) => `,\n${three}"${name}": {\n${three}}`);
-  steps.set(["objects", id], `{\n${three}"kind": "linkage",\n${three}"input": ${JSON.stringify(drive)}${parts.join("")}\n${two ?? one}}`);
+  const id = freeName("linkage", taken),
+    parts = ["ground", "links", "pairs", "assembly"].map((name) => `,\n${three}"${name}": {\n${three}}`);
+  steps.set(
+    ["objects", id],
+    `{\n${three}"kind": "linkage",\n${three}"input": ${JSON.stringify(drive)}${parts.join("")}\n${two ?? one}}`,
+  );
   return id;
 }
 
@@ -78,11 +106,17 @@ function hold(steps: Steps, board: Board, { at: place, joint, link }: Spot): Hol
   if (joint) {
     const point = joint.points.find((one) => one.link === null) ?? joint.points[0];
     const word = joint.points[0]?.name ?? letter(steps, board);
-    if (point) return { point: `${point.link === null ? "ground" : sketch.links[point.link]!.name}.${point.name}`, letter: word, ground: point.link === null };
+    if (point)
+      return {
+        point: `${point.link === null ? "ground" : sketch.links[point.link]!.name}.${point.name}`,
+        letter: word,
+        ground: point.link === null,
+      };
     return { point: `${sketch.links[joint.origins[0]!]!.name}.origin`, letter: word, ground: false };
   }
   if (link === null) return null;
-  const name = letter(steps, board), owner = sketch.links[link]!.name;
+  const name = letter(steps, board),
+    owner = sketch.links[link]!.name;
   steps.set(pathOf(board, "links", owner, "points", name), at(within(pose, link, place)));
   return { point: `${owner}.${name}`, letter: name, ground: false };
 }
@@ -96,12 +130,19 @@ function pinned(steps: Steps, board: Board, { point, letter: word }: Hold, other
 
 // A point of the ground; at a joint that has none it holds the joint.
 export function grounded(steps: Steps, board: Board, spot: Spot): string | null {
-  const wrong = own(steps, board), held = spot.joint?.points.some((point) => point.link === null);
+  const wrong = own(steps, board),
+    held = spot.joint?.points.some((point) => point.link === null);
   if (wrong || held) return wrong ?? "The ground has a point there already.";
-  const other = hold(steps, board, spot), first = !board.sketch.ground.length && !board.sketch.links.length;
-  const name = first ? "O" : other && !namesOf(find(steps.root, pathOf(board, "ground"))).includes(other.letter) ? other.letter : letter(steps, board);
+  const other = hold(steps, board, spot),
+    first = !board.sketch.ground.length && !board.sketch.links.length;
+  const name = first
+    ? "O"
+    : other && !namesOf(find(steps.root, pathOf(board, "ground"))).includes(other.letter)
+      ? other.letter
+      : letter(steps, board);
   steps.set(pathOf(board, "ground", name), at(spot.at));
-  if (other) drives(steps, board, pinned(steps, board, { point: `ground.${name}`, letter: name, ground: true }, other.point));
+  if (other)
+    drives(steps, board, pinned(steps, board, { point: `ground.${name}`, letter: name, ground: true }, other.point));
   return null;
 }
 
@@ -120,18 +161,25 @@ export function linked(steps: Steps, board: Board, from: Spot, to: Spot): string
   if (far(from.at, to.at) < board.grid / 2) return "Both ends of the link are at one place.";
   const name = numbered("link", namesOf(find(steps.root, pathOf(board, "links"))));
   const [first, second] = [hold(steps, board, from), hold(steps, board, to)];
-  const turned = !first && second !== null, [start, end] = turned ? [to, from] : [from, to], [held, other] = turned ? [second, first] : [first, second];
-  const point = other?.letter ?? letter(steps, board), shift: Point = [end.at[0] - start.at[0], end.at[1] - start.at[1]];
+  const turned = !first && second !== null,
+    [start, end] = turned ? [to, from] : [from, to],
+    [held, other] = turned ? [second, first] : [first, second];
+  const point = other?.letter ?? letter(steps, board),
+    shift: Point = [end.at[0] - start.at[0], end.at[1] - start.at[1]];
   steps.set(pathOf(board, "links", name), `{ "points": { ${JSON.stringify(point)}: ${at(shift)} } }`);
   // What hangs on nothing has a point at both of its ends.
   if (!held) steps.set(pathOf(board, "links", name, "points", letter(steps, board)), "[0, 0]");
   board.known.set(name, [...start.at, 1, 0]);
-  const pins = [[held, "origin"], [other, point]] as const;
+  const pins = [
+    [held, "origin"],
+    [other, point],
+  ] as const;
   let driven = false;
-  for (const [one, inner] of pins) if (one) {
-    const pair = pinned(steps, board, one, `${name}.${inner}`);
-    if (one.ground && !driven) driven = drives(steps, board, pair);
-  }
+  for (const [one, inner] of pins)
+    if (one) {
+      const pair = pinned(steps, board, one, `${name}.${inner}`);
+      if (one.ground && !driven) driven = drives(steps, board, pair);
+    }
   if (!driven) steps.set(pathOf(board, "assembly", name), '{ "angle": 0 }');
   return null;
 }
@@ -149,36 +197,68 @@ export function pointed(steps: Steps, board: Board, from: Spot, to: Spot): strin
 export function guided(steps: Steps, board: Board, from: Spot, to: Spot): string | null {
   const wrong = own(steps, board);
   if (wrong) return wrong;
-  if (!from.joint && from.link === null) return "Press at a joint of a link, and let go in the direction in which it is to slide.";
+  if (!from.joint && from.link === null)
+    return "Press at a joint of a link, and let go in the direction in which it is to slide.";
   if (from.joint?.points.some((point) => point.link === null)) return "The ground holds this joint: it cannot slide.";
-  const reach = far(from.at, to.at) || 10 * board.grid, degrees = 5 * Math.round(Math.atan2(to.at[1] - from.at[1], to.at[0] - from.at[0]) * 36 / Math.PI);
-  const angle = degrees * Math.PI / 180, held = hold(steps, board, from)!;
+  const reach = far(from.at, to.at) || 10 * board.grid,
+    degrees = 5 * Math.round((Math.atan2(to.at[1] - from.at[1], to.at[0] - from.at[0]) * 36) / Math.PI);
+  const angle = (degrees * Math.PI) / 180,
+    held = hold(steps, board, from)!;
   const ground = letter(steps, board);
-  steps.set(pathOf(board, "ground", ground), at([from.at[0] + reach * Math.cos(angle), from.at[1] + reach * Math.sin(angle)]));
+  steps.set(
+    pathOf(board, "ground", ground),
+    at([from.at[0] + reach * Math.cos(angle), from.at[1] + reach * Math.sin(angle)]),
+  );
   const block = numbered("block", namesOf(find(steps.root, pathOf(board, "links"))));
   steps.set(pathOf(board, "links", block), "{}");
   board.known.set(block, [...from.at, Math.cos(angle), Math.sin(angle)]);
   pinned(steps, board, held, `${block}.origin`);
   const guide = freeName(ground, namesOf(find(steps.root, pathOf(board, "pairs"))));
   const direction = degrees ? `, "direction": "${degrees} deg"` : "";
-  steps.set(pathOf(board, "pairs", guide), `{ "sliding": { "guide": "ground.${ground}", "block": "${block}.origin"${direction} } }`);
+  steps.set(
+    pathOf(board, "pairs", guide),
+    `{ "sliding": { "guide": "ground.${ground}", "block": "${block}.origin"${direction} } }`,
+  );
   return null;
 }
 
 // Names in a part of a linkage that say what it is about.
-const ABOUT = ["point", "from", "to", "angle", "x", "y", "link", "pair", "guide", "block", "through", "revolute", "driver"];
+const ABOUT = [
+  "point",
+  "from",
+  "to",
+  "angle",
+  "x",
+  "y",
+  "link",
+  "pair",
+  "guide",
+  "block",
+  "through",
+  "revolute",
+  "driver",
+];
 
 function isAbout(value: Value, fits: (name: string) => boolean, at = ""): boolean {
   if (value.sort === "string") return ABOUT.includes(at) && fits(value.text);
-  return value.items.some((one) => isAbout(one, fits, at)) || value.members.some((one) => isAbout(one.value, fits, one.name));
+  return (
+    value.items.some((one) => isAbout(one, fits, at)) || value.members.some((one) => isAbout(one.value, fits, one.name))
+  );
 }
 
 // Takes away the pairs that are about something, and what is about those or about what goes with them.
-function loosened(steps: Steps, board: Board, ofPair: (name: string) => boolean, gone: (name: string) => boolean): void {
-  const loose: string[] = [], lost = (name: string): boolean => gone(name) || loose.includes(name);
+function loosened(
+  steps: Steps,
+  board: Board,
+  ofPair: (name: string) => boolean,
+  gone: (name: string) => boolean,
+): void {
+  const loose: string[] = [],
+    lost = (name: string): boolean => gone(name) || loose.includes(name);
   for (const part of ["pairs", "inputs", "outputs", "forces", "assembly"]) {
     for (const one of find(steps.root, pathOf(board, part))?.members ?? []) {
-      const goes = part === "pairs" ? isAbout(one.value, ofPair) : part === "assembly" ? gone(one.name) : isAbout(one.value, lost);
+      const goes =
+        part === "pairs" ? isAbout(one.value, ofPair) : part === "assembly" ? gone(one.name) : isAbout(one.value, lost);
       if (!goes) continue;
       if (part === "pairs") loose.push(one.name);
       steps.remove(pathOf(board, part, one.name));
@@ -190,21 +270,32 @@ function loosened(steps: Steps, board: Board, ofPair: (name: string) => boolean,
 
 // Takes away what is at a spot: the pairs and points of a joint, or a link.
 export function removed(steps: Steps, board: Board, { joint, link }: Spot): string | null {
-  const wrong = own(steps, board), { sketch } = board;
+  const wrong = own(steps, board),
+    { sketch } = board;
   if (wrong) return wrong;
   if (!joint && link === null) return "There is nothing to delete here.";
   if (!joint) {
-    const name = sketch.links[link!]!.name, about = (word: string): boolean => word === name || word.startsWith(`${name}.`);
+    const name = sketch.links[link!]!.name,
+      about = (word: string): boolean => word === name || word.startsWith(`${name}.`);
     loosened(steps, board, about, about);
     steps.remove(pathOf(board, "links", name));
     return null;
   }
   // A link keeps two places.
-  const going = joint.points.filter((point) => point.link === null || sketch.links[point.link]!.points.length + (shows(sketch, point.link) ? 1 : 0) > 2);
-  const owner = (link: number | null): string => link === null ? "ground" : sketch.links[link]!.name;
-  const ends = new Set(joint.names), gone = new Set(going.map((point) => `${owner(point.link)}.${point.name}`));
-  loosened(steps, board, (word) => ends.has(word), (word) => gone.has(word));
-  for (const { link: index, name } of going) steps.remove(index === null ? pathOf(board, "ground", name) : pathOf(board, "links", owner(index), "points", name));
+  const going = joint.points.filter(
+    (point) => point.link === null || sketch.links[point.link]!.points.length + (shows(sketch, point.link) ? 1 : 0) > 2,
+  );
+  const owner = (link: number | null): string => (link === null ? "ground" : sketch.links[link]!.name);
+  const ends = new Set(joint.names),
+    gone = new Set(going.map((point) => `${owner(point.link)}.${point.name}`));
+  loosened(
+    steps,
+    board,
+    (word) => ends.has(word),
+    (word) => gone.has(word),
+  );
+  for (const { link: index, name } of going)
+    steps.remove(index === null ? pathOf(board, "ground", name) : pathOf(board, "links", owner(index), "points", name));
   return null;
 }
 

@@ -16,16 +16,23 @@ export function copied({ text, root }: Edits, ids: string[]): string | null {
 // Puts objects of the clipboard into a scene, under names that are free there; what they say of each
 // other goes along. The names; none: the text is no objects.
 export function pasted(steps: Steps, text: string): string[] {
-  const scene = `{ "objects": ${text} }`, root = parse(scene), own = find(root ?? undefined, ["objects"])?.members ?? [];
-  const fits = own.length > 0 && own.every(({ value }) => ["kind", "from"].some((name) => member(value, name)?.value.sort === "string"));
+  const scene = `{ "objects": ${text} }`,
+    root = parse(scene),
+    own = find(root ?? undefined, ["objects"])?.members ?? [];
+  const fits =
+    own.length > 0 &&
+    own.every(({ value }) => ["kind", "from"].some((name) => member(value, name)?.value.sort === "string"));
   if (!root || !fits) return [];
-  const taken = new Set((find(steps.root, ["objects"])?.members ?? []).map((one) => one.name)), renamed = new Steps(new Edits(scene, root));
+  const taken = new Set((find(steps.root, ["objects"])?.members ?? []).map((one) => one.name)),
+    renamed = new Steps(new Edits(scene, root));
   const names = own.map(({ name }) => {
-    const others = own.map((one) => one.name).filter((one) => one !== name), free = freeName(name, [...taken, ...others]);
+    const others = own.map((one) => one.name).filter((one) => one !== name),
+      free = freeName(name, [...taken, ...others]);
     taken.add(free);
     if (free !== name) renamed.do((edits) => edits.rename(name, free));
     return free;
   });
-  for (const { name, value } of find(renamed.root, ["objects"])?.members ?? []) steps.set(["objects", name], renamed.edits.text.slice(value.from, value.to));
+  for (const { name, value } of find(renamed.root, ["objects"])?.members ?? [])
+    steps.set(["objects", name], renamed.edits.text.slice(value.from, value.to));
   return names;
 }

@@ -31,15 +31,63 @@ interface Props {
   hosts: { dock: { current: HTMLDivElement | null }; charts: { current: HTMLElement } };
 }
 
-export function Dock({ link, editor, answer, opened, stale, scene, fields, figures, spans, object, all, choose, compare, hosts }: Props) {
+export function Dock({
+  link,
+  editor,
+  answer,
+  opened,
+  stale,
+  scene,
+  fields,
+  figures,
+  spans,
+  object,
+  all,
+  choose,
+  compare,
+  hosts,
+}: Props) {
   return (
     <section class="dock" aria-label="dock">
-      {answer && <Beside link={link} answer={answer} opened={opened} stale={stale} compare={compare}
-        before={<Choice label="Charts of" value={object ?? ALL} all={all.length > 1 ? [...all, ALL] : all} none="all objects" set={choose} />} />}
+      {answer && (
+        <Beside
+          link={link}
+          answer={answer}
+          opened={opened}
+          stale={stale}
+          compare={compare}
+          before={
+            <Choice
+              label="Charts of"
+              value={object ?? ALL}
+              all={all.length > 1 ? [...all, ALL] : all}
+              none="all objects"
+              set={choose}
+            />
+          }
+        />
+      )}
       <div class="docked">
-        {editor && <MapView editor={editor} link={link} fields={fields} figures={figures} spans={spans} scene={scene} opened={opened} />}
+        {editor && (
+          <MapView
+            editor={editor}
+            link={link}
+            fields={fields}
+            figures={figures}
+            spans={spans}
+            scene={scene}
+            opened={opened}
+          />
+        )}
         <div class="chart-scroll" tabindex={0} role="region" aria-label="charts of the objects" ref={hosts.dock}>
-          <Host kind="section" class="charts" label="charts" of={(element) => { hosts.charts.current = element; }} />
+          <Host
+            kind="section"
+            class="charts"
+            label="charts"
+            of={(element) => {
+              hosts.charts.current = element;
+            }}
+          />
         </div>
       </div>
     </section>

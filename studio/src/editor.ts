@@ -6,15 +6,46 @@
 // charts are drawn once a frame; the text of a hundred moves a few times. `npm run latency`
 // measures from the input event to the presented frame.
 
-import { acceptCompletion, autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion } from "@codemirror/autocomplete";
+import {
+  acceptCompletion,
+  autocompletion,
+  closeBrackets,
+  closeBracketsKeymap,
+  completionKeymap,
+  startCompletion,
+} from "@codemirror/autocomplete";
 import { collab, getSyncedVersion, receiveUpdates, sendableUpdates } from "@codemirror/collab";
 import { defaultKeymap, indentWithTab } from "@codemirror/commands";
 import { json } from "@codemirror/lang-json";
-import { bracketMatching, foldGutter, foldKeymap, HighlightStyle, indentOnInput, syntaxHighlighting } from "@codemirror/language";
+import {
+  bracketMatching,
+  foldGutter,
+  foldKeymap,
+  HighlightStyle,
+  indentOnInput,
+  syntaxHighlighting,
+} from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, ChangeSet, Compartment, EditorState, Text, Transaction, type ChangeSpec, type TransactionSpec } from "@codemirror/state";
-import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
+import {
+  Annotation,
+  ChangeSet,
+  Compartment,
+  EditorState,
+  Text,
+  Transaction,
+  type ChangeSpec,
+  type TransactionSpec,
+} from "@codemirror/state";
+import {
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  hoverTooltip,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Link, Message } from "./link";
 import { difference, merged } from "./merge";
@@ -30,7 +61,9 @@ const REST = 120;
 const AHEAD = 3;
 // Most that a scene may be (bytes), that an edit inserts at once, and that the edits of a message
 // are (characters): the server takes no larger message than a scene.
-const LARGEST = 1 << 20, PIECE = 32_000, MESSAGE = 1 << 18;
+const LARGEST = 1 << 20,
+  PIECE = 32_000,
+  MESSAGE = 1 << 18;
 const nonce = document.querySelector<HTMLMetaElement>("meta[name=nonce]")?.content ?? "";
 
 const colours = HighlightStyle.define([
@@ -42,12 +75,22 @@ const colours = HighlightStyle.define([
 
 const look = EditorView.theme({
   "&": { height: "100%", fontSize: "13px", backgroundColor: "var(--paper)", color: "var(--ink)" },
-  ".cm-scroller": { fontFamily: "ui-monospace, 'SF Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace", lineHeight: "1.5" },
+  ".cm-scroller": {
+    fontFamily: "ui-monospace, 'SF Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace",
+    lineHeight: "1.5",
+  },
   ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--ink-soft)", border: "0" },
   ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "color-mix(in srgb, var(--link) 7%, transparent)" },
   "&.cm-focused .cm-cursor": { borderLeftColor: "var(--ink)" },
-  ".cm-selectionBackground, &.cm-focused .cm-selectionBackground": { backgroundColor: "color-mix(in srgb, var(--link) 25%, transparent) !important" },
-  ".cm-tooltip": { backgroundColor: "var(--panel)", color: "var(--ink)", border: "1px solid var(--line)", maxWidth: "60ch" },
+  ".cm-selectionBackground, &.cm-focused .cm-selectionBackground": {
+    backgroundColor: "color-mix(in srgb, var(--link) 25%, transparent) !important",
+  },
+  ".cm-tooltip": {
+    backgroundColor: "var(--panel)",
+    color: "var(--ink)",
+    border: "1px solid var(--line)",
+    maxWidth: "60ch",
+  },
   ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--link)", color: "var(--paper)" },
   ".cm-panels": { backgroundColor: "var(--panel)", color: "var(--ink)" },
   ".cm-help": { padding: "4px 8px" },
@@ -64,8 +107,11 @@ function isTooLarge(doc: Text): boolean {
 
 // Large insertions as several small ones, from the end on, so that places before stay right.
 function pieces(changes: ChangeSet): ChangeSet[] {
-  const all: { from: number; to: number; insert: Text }[] = [], made: ChangeSet[] = [];
-  changes.iterChanges((from, to, _, __, insert) => { all.push({ from, to, insert }); });
+  const all: { from: number; to: number; insert: Text }[] = [],
+    made: ChangeSet[] = [];
+  changes.iterChanges((from, to, _, __, insert) => {
+    all.push({ from, to, insert });
+  });
   if (all.every(({ insert }) => insert.length <= PIECE)) return [changes];
   let length = changes.length;
   const add = (from: number, to: number, insert: Text) => {
@@ -112,18 +158,29 @@ export class Editor {
   edited: () => void = () => {};
   refused: (words: string) => void = () => {};
 
-  constructor(private readonly parent: Element, private readonly link: Link, private readonly by: () => string) {
+  constructor(
+    private readonly parent: Element,
+    private readonly link: Link,
+    private readonly by: () => string,
+  ) {
     this.state = this.own("", 0);
     this.view = new EditorView({ parent, state: this.fresh(""), dispatchTransactions: (made) => this.typed(made) });
     // Whatever is done in the view is done to the text as it is.
-    for (const kind of ["keydown", "beforeinput", "compositionstart", "mousedown", "paste", "cut", "drop", "focusin"]) parent.addEventListener(kind, () => this.flush(), true);
+    for (const kind of ["keydown", "beforeinput", "compositionstart", "mousedown", "paste", "cut", "drop", "focusin"])
+      parent.addEventListener(kind, () => this.flush(), true);
     link.on("updates", (message) => this.receive(message));
     // Others came before: what is on the way is not taken, and goes out anew.
-    link.on("late", () => { this.landed(); this.sent = 0; this.push(); });
+    link.on("late", () => {
+      this.landed();
+      this.sent = 0;
+      this.push();
+    });
   }
 
   // Says whether the view shows an older text.
-  private say(): void { this.parent.setAttribute("aria-busy", String(this.behind !== null)); }
+  private say(): void {
+    this.parent.setAttribute("aria-busy", String(this.behind !== null));
+  }
 
   // Changes the text; the view comes after.
   private dispatch(spec: TransactionSpec): void {
@@ -149,7 +206,9 @@ export class Editor {
   }
 
   // Whether the view shows an older text.
-  get isBehind(): boolean { return this.behind !== null; }
+  get isBehind(): boolean {
+    return this.behind !== null;
+  }
 
   // Changes made in the view, and what came from elsewhere since it was drawn.
   private typed(made: readonly Transaction[]): void {
@@ -159,7 +218,8 @@ export class Editor {
       const changes = this.behind ? one.changes.map(this.behind) : one.changes;
       this.behind = this.behind?.map(one.changes, true) ?? null;
       this.edited();
-      const all = pieces(changes), drag = all.length > 1 ? [dragged.of(this.drag())] : [];
+      const all = pieces(changes),
+        drag = all.length > 1 ? [dragged.of(this.drag())] : [];
       for (const piece of all) this.state = this.state.update({ changes: piece, annotations: drag }).state;
       this.changed();
       this.push();
@@ -168,32 +228,57 @@ export class Editor {
 
   // The text, its edits and its numbers.
   private own(text: string, version: number): EditorState {
-    return EditorState.create({ doc: text, extensions: [collab({ startVersion: version, clientID: this.by() }), fields] });
+    return EditorState.create({
+      doc: text,
+      extensions: [collab({ startVersion: version, clientID: this.by() }), fields],
+    });
   }
 
   // What the view has of it.
   private fresh(text: string): EditorState {
-    const step = (type: string) => () => { this.when(() => this.link.send({ type })); return true; };
+    const step = (type: string) => () => {
+      this.when(() => this.link.send({ type }));
+      return true;
+    };
     return EditorState.create({
       doc: text,
       extensions: [
-        EditorView.cspNonce.of(nonce), look, syntaxHighlighting(colours),
-        lineNumbers(), foldGutter(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
-        bracketMatching(), closeBrackets(), indentOnInput(), highlightSelectionMatches(), json(),
+        EditorView.cspNonce.of(nonce),
+        look,
+        syntaxHighlighting(colours),
+        lineNumbers(),
+        foldGutter(),
+        lintGutter(),
+        highlightActiveLine(),
+        highlightActiveLineGutter(),
+        drawSelection(),
+        bracketMatching(),
+        closeBrackets(),
+        indentOnInput(),
+        highlightSelectionMatches(),
+        json(),
         autocompletion({ override: [async (context) => (await this.guide()).complete(context)] }),
         hoverTooltip(async (view, position) => {
           const help = (await this.guide()).hover(view.state, position);
           if (!help) return null;
-          return { pos: help.from, end: help.to, above: true, create: () => {
-            const dom = document.createElement("div");
-            dom.className = "cm-help";
-            for (const line of help.lines) dom.appendChild(document.createElement("div")).textContent = line;
-            return { dom };
-          } };
+          return {
+            pos: help.from,
+            end: help.to,
+            above: true,
+            create: () => {
+              const dom = document.createElement("div");
+              dom.className = "cm-help";
+              for (const line of help.lines) dom.appendChild(document.createElement("div")).textContent = line;
+              return { dom };
+            },
+          };
         }),
         this.writable.of([]),
         EditorState.transactionFilter.of((made) => {
-          const grows = made.docChanged && made.newDoc.length > made.startState.doc.length && made.annotation(outside) === undefined;
+          const grows =
+            made.docChanged &&
+            made.newDoc.length > made.startState.doc.length &&
+            made.annotation(outside) === undefined;
           if (!grows || !isTooLarge(made.newDoc)) return made;
           queueMicrotask(() => this.refuse());
           return [];
@@ -203,8 +288,14 @@ export class Editor {
           { key: "Mod-y", mac: "Mod-Shift-z", run: step("redo"), preventDefault: true },
           { key: "Mod-Shift-z", run: step("redo"), preventDefault: true },
           { key: "Mod-s", run: step("save"), preventDefault: true },
-          { key: "Tab", run: acceptCompletion }, { key: "Mod-Space", run: startCompletion },
-          ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...lintKeymap, ...foldKeymap, ...defaultKeymap,
+          { key: "Tab", run: acceptCompletion },
+          { key: "Mod-Space", run: startCompletion },
+          ...closeBracketsKeymap,
+          ...completionKeymap,
+          ...searchKeymap,
+          ...lintKeymap,
+          ...foldKeymap,
+          ...defaultKeymap,
           // Escape, then Tab leaves the text; Tab alone indents.
           indentWithTab,
         ]),
@@ -231,15 +322,21 @@ export class Editor {
     this.changed();
   }
 
-  private refuse(): void { this.refused("A scene has at most 1 MB: with this it would have more, so nothing was changed."); }
+  private refuse(): void {
+    this.refused("A scene has at most 1 MB: with this it would have more, so nothing was changed.");
+  }
 
   // ---- the connection is lost and comes back
 
   // The document and the version that the window knows; null: none.
-  get since(): { epoch: string; version: number } | null { return this.epoch ? { epoch: this.epoch, version: getSyncedVersion(this.state) } : null; }
+  get since(): { epoch: string; version: number } | null {
+    return this.epoch ? { epoch: this.epoch, version: getSyncedVersion(this.state) } : null;
+  }
 
   // What was on the way is not: it goes out anew, unless it turns out to have come.
-  lost(): void { this.flying = this.sent = 0; }
+  lost(): void {
+    this.flying = this.sent = 0;
+  }
 
   // The same document: what was edited elsewhere meanwhile.
   resume(message: Message): void {
@@ -249,14 +346,16 @@ export class Editor {
 
   // What a server that was started again does not have; null: it has all, as far as is known here.
   left(isSaved: boolean): { text: string; heard: string } | null {
-    const text = this.state.doc.toString(), heard = this.heard.toString();
+    const text = this.state.doc.toString(),
+      heard = this.heard.toString();
     return isSaved && text === heard ? null : { text, heard };
   }
 
   // Makes it the text of the document that was opened in its place, as soon as that can be changed:
   // where others have been there before, what both sides made of it. False: they changed the same.
   owe({ text, heard }: { text: string; heard: string }): boolean {
-    const now = this.state.doc.toString(), isFirst = getSyncedVersion(this.state) === 0;
+    const now = this.state.doc.toString(),
+      isFirst = getSyncedVersion(this.state) === 0;
     const both = isFirst ? text : merged(heard, text, now);
     this.owed = both ?? text;
     this.pay();
@@ -264,7 +363,9 @@ export class Editor {
   }
 
   // It is not wanted any more.
-  forgive(): void { this.owed = null; }
+  forgive(): void {
+    this.owed = null;
+  }
 
   private pay(): void {
     const owed = this.owed;
@@ -282,36 +383,59 @@ export class Editor {
   }
 
   // A new step of undo, that the next edits with its number belong to.
-  drag(): number { return ++this.drags; }
+  drag(): number {
+    return ++this.drags;
+  }
 
   // Changes the text from outside of it; false: it cannot be.
   change(changes: ChangeSpec, drag: number): boolean {
     if (this.locked) return false;
     const all = this.state.changes(changes);
-    if (all.newLength > all.length && isTooLarge(all.apply(this.state.doc))) { this.refuse(); return false; }
+    if (all.newLength > all.length && isTooLarge(all.apply(this.state.doc))) {
+      this.refuse();
+      return false;
+    }
     for (const piece of pieces(all)) this.dispatch({ changes: piece, annotations: dragged.of(drag) });
     return true;
   }
 
   // Does something once the server has all edits.
-  when(act: () => void): void { if (this.settled()) act(); else this.later.push(act); }
+  when(act: () => void): void {
+    if (this.settled()) act();
+    else this.later.push(act);
+  }
 
   // Whether the server has all edits.
-  get isSettled(): boolean { return this.settled(); }
+  get isSettled(): boolean {
+    return this.settled();
+  }
 
-  private settled(): boolean { return sendableUpdates(this.state).length === 0; }
+  private settled(): boolean {
+    return sendableUpdates(this.state).length === 0;
+  }
 
   // Whether as many edits are on the way as may be.
-  get isBusy(): boolean { return this.flying >= AHEAD; }
+  get isBusy(): boolean {
+    return this.flying >= AHEAD;
+  }
 
-  private landed(): void { this.flying = Math.max(0, this.flying - 1); }
+  private landed(): void {
+    this.flying = Math.max(0, this.flying - 1);
+  }
 
   // Whether the text is that of a version.
-  isAt(version: number): boolean { return this.settled() && getSyncedVersion(this.state) === version; }
+  isAt(version: number): boolean {
+    return this.settled() && getSyncedVersion(this.state) === version;
+  }
 
   private push(): void {
-    const updates = sendableUpdates(this.state), heard = getSyncedVersion(this.state), fresh = updates.slice(this.sent);
-    if (!updates.length) { this.later.splice(0).forEach((act) => act()); return; }
+    const updates = sendableUpdates(this.state),
+      heard = getSyncedVersion(this.state),
+      fresh = updates.slice(this.sent);
+    if (!updates.length) {
+      for (const act of this.later.splice(0)) act();
+      return;
+    }
     if (this.isBusy || !fresh.length) return;
     const next: { changes: unknown; drag: number | undefined }[] = [];
     let size = 0;
@@ -332,8 +456,17 @@ export class Editor {
     const fresh = updates.slice(Math.max(0, known - version));
     for (const one of fresh) this.heard = ChangeSet.fromJSON(one.changes).apply(this.heard);
     const own = fresh.filter((one: any) => one.by === this.by()).length;
-    if (own) { this.landed(); this.sent = Math.max(0, this.sent - own); }
-    if (fresh.length) this.dispatch(receiveUpdates(this.state, fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by }))));
+    if (own) {
+      this.landed();
+      this.sent = Math.max(0, this.sent - own);
+    }
+    if (fresh.length)
+      this.dispatch(
+        receiveUpdates(
+          this.state,
+          fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by })),
+        ),
+      );
     this.push();
   }
 
@@ -342,7 +475,9 @@ export class Editor {
     if (!this.isAt(version)) return false;
     const length = this.state.doc.length;
     const diagnostics: Diagnostic[] = faults.map((fault: any) => ({
-      from: Math.min(fault.from, length), to: Math.min(Math.max(fault.to, fault.from), length), severity: fault.severity,
+      from: Math.min(fault.from, length),
+      to: Math.min(Math.max(fault.to, fault.from), length),
+      severity: fault.severity,
       message: [fault.elsewhere ? `${fault.elsewhere}: ${fault.message}` : fault.message, ...fault.hints].join("\n"),
     }));
     if (diagnostics.length || this.told) {
@@ -357,16 +492,23 @@ export class Editor {
   // The schema of the scene, with its ids, as it was not long ago.
   guide(): Promise<Guide> {
     if (!this.schema || Date.now() - this.schema.at > 5000) {
-      const guide = this.link.get(`/api/schema?scene=${encodeURIComponent(this.scene)}`).then((schema) => new Guide(schema));
+      const guide = this.link
+        .get(`/api/schema?scene=${encodeURIComponent(this.scene)}`)
+        .then((schema) => new Guide(schema));
       this.schema = { at: Date.now(), guide };
-      guide.catch(() => { this.schema = null; });
+      guide.catch(() => {
+        this.schema = null;
+      });
     }
     return this.schema.guide;
   }
 
   show(from: number, to: number): void {
     this.flush();
-    this.view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
+    this.view.dispatch({
+      selection: { anchor: from, head: to },
+      effects: EditorView.scrollIntoView(from, { y: "center" }),
+    });
     this.view.focus();
   }
 }

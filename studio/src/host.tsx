@@ -2,14 +2,24 @@
 
 import { Component, createRef } from "preact";
 
-interface Props { of: (element: HTMLElement) => void; kind?: "div" | "section"; class?: string; label?: string }
+interface Props {
+  of: (element: HTMLElement) => void;
+  kind?: "div" | "section";
+  class?: string;
+  label?: string;
+}
 
 export class Host extends Component<Props> {
   private readonly own = createRef<HTMLElement>();
-  override componentDidMount(): void { this.props.of(this.own.current!); }
-  override shouldComponentUpdate(): boolean { return false; }
+  override componentDidMount(): void {
+    this.props.of(this.own.current!);
+  }
+  override shouldComponentUpdate(): boolean {
+    return false;
+  }
   override render() {
-    const { kind, label, class: name } = this.props, own = this.own as any;
+    const { kind, label, class: name } = this.props,
+      own = this.own as any;
     return kind === "section" ? <section ref={own} class={name} aria-label={label} /> : <div ref={own} class={name} />;
   }
 }

@@ -3,7 +3,8 @@
 const CONTROL = "input, textarea, select, [contenteditable]:not([contenteditable=false])";
 const NO_TEXT = "select, [type=range], [type=checkbox], [type=radio]";
 
-const controlOf = (target: EventTarget | null): Element | null => target instanceof Element ? target.closest(CONTROL) : null;
+const controlOf = (target: EventTarget | null): Element | null =>
+  target instanceof Element ? target.closest(CONTROL) : null;
 
 // Whether it is in a field.
 export const isInField = (target: EventTarget | null): boolean => controlOf(target) !== null;
@@ -16,10 +17,20 @@ export function isInText(target: EventTarget | null): boolean {
 
 // The field in which something was typed that it has not given away yet.
 let unfinished: EventTarget | null = null;
-const ended = ({ target }: Event): void => { if (target === unfinished) unfinished = null; };
-addEventListener("input", ({ target }) => { if (isInText(target)) unfinished = target; }, true);
+const ended = ({ target }: Event): void => {
+  if (target === unfinished) unfinished = null;
+};
+addEventListener(
+  "input",
+  ({ target }) => {
+    if (isInText(target)) unfinished = target;
+  },
+  true,
+);
 for (const type of ["change", "focusout"]) addEventListener(type, ended, true);
-addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === "Escape") ended(event); });
+addEventListener("keydown", (event) => {
+  if (event.key === "Enter" || event.key === "Escape") ended(event);
+});
 
 export const isUnfinished = (target: EventTarget | null): boolean => target !== null && target === unfinished;
 

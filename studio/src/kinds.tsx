@@ -2,8 +2,16 @@
 
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
-export interface Part { from?: string; kind: string; meaning: string; inputs?: string }
-export interface Parts { kinds: Part[]; objects: Part[] }
+export interface Part {
+  from?: string;
+  kind: string;
+  meaning: string;
+  inputs?: string;
+}
+export interface Parts {
+  kinds: Part[];
+  objects: Part[];
+}
 
 // Lines on 24 by 24.
 const PICTURES: Record<string, string> = {
@@ -18,29 +26,79 @@ const PICTURES: Record<string, string> = {
 };
 
 export function Picture({ kind, size = 22, x, y }: { kind: string; size?: number; x?: number; y?: number }) {
-  return <svg class="kind-picture" viewBox="0 0 24 24" width={size} height={size} {...(x === undefined ? {} : { x, y })} aria-hidden="true"><path d={PICTURES[kind] ?? "M6 6h12v12H6z"} /></svg>;
+  return (
+    <svg
+      class="kind-picture"
+      viewBox="0 0 24 24"
+      width={size}
+      height={size}
+      {...(x === undefined ? {} : { x, y })}
+      aria-hidden="true"
+    >
+      <path d={PICTURES[kind] ?? "M6 6h12v12H6z"} />
+    </svg>
+  );
 }
 
 // Everything that can be added, by the words of its name and meaning.
-export function Palette({ parts, add, close }: { parts: Parts; add: (part: Part) => void; close: (() => void) | null }) {
+export function Palette({
+  parts,
+  add,
+  close,
+}: {
+  parts: Parts;
+  add: (part: Part) => void;
+  close: (() => void) | null;
+}) {
   const [words, setWords] = useState("");
   const search = useRef<HTMLInputElement>(null);
-  useLayoutEffect(() => { if (close) search.current!.focus(); }, []);
+  useLayoutEffect(() => {
+    if (close) search.current!.focus();
+  }, []);
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
-  const fits = (part: Part) => { const own = `${part.from ?? ""} ${part.kind.replace("_", " ")} ${part.meaning}`.toLowerCase(); return wanted.every((word) => own.includes(word)); };
-  const kinds = parts.kinds.filter(fits), objects = parts.objects.filter(fits);
+  const fits = (part: Part) => {
+    const own = `${part.from ?? ""} ${part.kind.replace("_", " ")} ${part.meaning}`.toLowerCase();
+    return wanted.every((word) => own.includes(word));
+  };
+  const kinds = parts.kinds.filter(fits),
+    objects = parts.objects.filter(fits);
   const first = kinds[0] ?? objects[0];
   const row = (part: Part) => (
     <button type="button" class="part" key={part.from ?? part.kind} onClick={() => add(part)} title={part.meaning}>
-      <Picture kind={part.kind} /><b>{part.from ? part.from.replace(/^[^/]*\//, "").replaceAll("-", " ") : part.kind.replace("_", " ")}</b><span class="soft">{part.meaning}</span>
+      <Picture kind={part.kind} />
+      <b>{part.from ? part.from.replace(/^[^/]*\//, "").replaceAll("-", " ") : part.kind.replace("_", " ")}</b>
+      <span class="soft">{part.meaning}</span>
     </button>
   );
   return (
-    <div class="palette" role="dialog" aria-label="add an object" onKeyDown={(event) => { if (event.key === "Escape" && close) { event.preventDefault(); close(); } }}>
+    <div
+      class="palette"
+      role="dialog"
+      aria-label="add an object"
+      onKeyDown={(event) => {
+        if (event.key === "Escape" && close) {
+          event.preventDefault();
+          close();
+        }
+      }}
+    >
       <div class="tools">
-        <input type="text" ref={search} placeholder="Search kinds and catalogue" aria-label="search kinds and catalogue" value={words} onInput={(event) => setWords(event.currentTarget.value)}
-          onKeyDown={(event) => { if (event.key === "Enter" && first) add(first); }} />
-        {close && <button type="button" onClick={close}>Close</button>}
+        <input
+          type="text"
+          ref={search}
+          placeholder="Search kinds and catalogue"
+          aria-label="search kinds and catalogue"
+          value={words}
+          onInput={(event) => setWords(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key === "Enter" && first) add(first);
+          }}
+        />
+        {close && (
+          <button type="button" onClick={close}>
+            Close
+          </button>
+        )}
       </div>
       <div class="parts">
         {kinds.length > 0 && <h3>Kinds</h3>}

@@ -5,7 +5,8 @@ export type Message = { type: string } & Record<string, any>;
 
 const SCENE = "dam-studio-scene";
 // What is kept for this window, by its key.
-export const TOKEN = "dam-studio-token", TAB = "dam-studio-tab";
+export const TOKEN = "dam-studio-token",
+  TAB = "dam-studio-tab";
 
 // The scene that this window shows, so that it does when it is loaded anew; empty: the first page.
 export const shownScene = {
@@ -18,8 +19,16 @@ export const shownScene = {
 // what a browser keeps goes with the port.
 export class Kept {
   constructor(private readonly name: string) {}
-  private get key(): string { return `dam-studio-${this.name}`; }
-  get(): string | null { try { return localStorage.getItem(this.key); } catch { return null; } }
+  private get key(): string {
+    return `dam-studio-${this.name}`;
+  }
+  get(): string | null {
+    try {
+      return localStorage.getItem(this.key);
+    } catch {
+      return null;
+    }
+  }
   set(value: string, link: Link): void {
     this.take(value);
     link.send({ type: "keep", name: this.name, value });
@@ -32,7 +41,13 @@ export class Kept {
     return this.get() !== null;
   }
   // A browser that keeps nothing has it for this page alone.
-  private take(value: string): void { try { localStorage.setItem(this.key, value); } catch { /* Nothing more can be done. */ } }
+  private take(value: string): void {
+    try {
+      localStorage.setItem(this.key, value);
+    } catch {
+      /* Nothing more can be done. */
+    }
+  }
 }
 
 export interface Link {

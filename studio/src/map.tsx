@@ -8,11 +8,21 @@ import type { Link, Message } from "./link";
 import { patch } from "./patch";
 import { fieldOf, spanOf, written, type Field, type Span } from "./numbers";
 
-interface Props { editor: Editor; link: Link; fields: Field[]; figures: string[]; spans: Map<string, Span>; scene: string; opened: number }
+interface Props {
+  editor: Editor;
+  link: Link;
+  fields: Field[];
+  figures: string[];
+  spans: Map<string, Span>;
+  scene: string;
+  opened: number;
+}
 
 // What is most often asked: how fast, against how stiff, heavy or loose.
 function first(fields: Field[], not: string | undefined, wanted: RegExp): string | undefined {
-  const usable = fields.filter((field) => field.address !== not && !field.address.startsWith("run.") && !field.address.includes("["));
+  const usable = fields.filter(
+    (field) => field.address !== not && !field.address.startsWith("run.") && !field.address.includes("["),
+  );
   return (usable.find((field) => wanted.test(`${field.quantity} ${field.address}`)) ?? usable[0])?.address;
 }
 
@@ -40,35 +50,59 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
   now.current = { x: alongX, y: alongY };
 
   // The question goes out anew when it is another.
-  const question = !on || !known ? null : JSON.stringify({
-    ...Object.fromEntries([["x", alongX], ["y", alongY]].map(([axis, address]) => {
-      const field = fields.find((one) => one.address === address)!, span = spanFor(address!);
-      return [axis, { address, unit: field.unit, ends: [span.low, span.high], log: span.log, whole: field.whole }];
-    })),
-    figure: figure || null,
-  });
+  const question =
+    !on || !known
+      ? null
+      : JSON.stringify({
+          ...Object.fromEntries(
+            [
+              ["x", alongX],
+              ["y", alongY],
+            ].map(([axis, address]) => {
+              const field = fields.find((one) => one.address === address)!,
+                span = spanFor(address!);
+              return [
+                axis,
+                { address, unit: field.unit, ends: [span.low, span.high], log: span.log, whole: field.whole },
+              ];
+            }),
+          ),
+          figure: figure || null,
+        });
   useEffect(() => {
     if (scene) link.send({ type: "map", question: question === null ? null : JSON.parse(question) });
-    if (question === null && place.current) { live.drop(made.current); made.current = []; place.current.replaceChildren(); }
+    if (question === null && place.current) {
+      live.drop(made.current);
+      made.current = [];
+      place.current.replaceChildren();
+    }
   }, [question, scene, opened]);
 
   const mark = () => {
-    const { x, y } = now.current, [a, b] = [x, y].map((address) => address === undefined ? null : fieldOf(editor.state, address)?.value ?? null);
-    made.current.forEach((chart) => chart.mark(a!, b!));
+    const { x, y } = now.current,
+      [a, b] = [x, y].map((address) =>
+        address === undefined ? null : (fieldOf(editor.state, address)?.value ?? null),
+      );
+    for (const chart of made.current) chart.mark(a!, b!);
   };
   // In the frame of what it follows, not in one of its own.
   useLayoutEffect(mark);
 
   useEffect(() => {
     // Told of once a frame at most.
-    let latest: [number, number] | null = null, frame = 0;
+    let latest: [number, number] | null = null,
+      _frame = 0;
     link.on("map_progress", ({ done, of }) => {
       latest = [done, of];
-      frame ||= requestAnimationFrame(() => { frame = 0; setProgress(latest); });
+      _frame ||= requestAnimationFrame(() => {
+        _frame = 0;
+        setProgress(latest);
+      });
     });
     // Over the same axes in the same frame the chart stays, and what differs in it is touched alone.
     const show = (html: string, source: PlotSource) => {
-      const width = made.current[0]?.width, wanted = document.createElement("template");
+      const width = made.current[0]?.width,
+        wanted = document.createElement("template");
       wanted.innerHTML = html;
       if (made.current.length && live.alike(made.current, source)) {
         patch(place.current!, wanted.content, ".over, .grid, .export");
@@ -83,7 +117,11 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
     const take = (message: Message) => {
       latest = null;
       setProgress(null);
-      setTold(message.refused ? `There is no map: ${message.refused}` : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`);
+      setTold(
+        message.refused
+          ? `There is no map: ${message.refused}`
+          : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`,
+      );
       if (!message.refused && place.current) {
         const source = { columns: message.columns, plots: message.plots };
         for (const plot of Object.values<PlotData>(message.plots)) if (plot.field) plot.field.notes = message.notes;
@@ -94,10 +132,17 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
       requestAnimationFrame(() => link.send({ type: "map_shown" }));
     };
     link.on("map", take);
-    const begin = () => { drag.current = editor.drag(); };
+    const begin = () => {
+      drag.current = editor.drag();
+    };
     const steer = (event: Event) => {
-      const { x: a, y: b } = (event as CustomEvent).detail, { x, y } = now.current, state = editor.state;
-      const changes = [[x, a], [y, b]].flatMap(([address, value]) => {
+      const { x: a, y: b } = (event as CustomEvent).detail,
+        { x, y } = now.current,
+        state = editor.state;
+      const changes = [
+        [x, a],
+        [y, b],
+      ].flatMap(([address, value]) => {
         const field = fieldOf(state, address as string);
         if (!field) return [];
         const [from, to] = field.number_at;
@@ -111,21 +156,47 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
   }, []);
 
   const choice = (label: string, value: string | undefined, all: string[], set: (value: string) => void) => (
-    <label>{label} <select value={value} onChange={(event) => set(event.currentTarget.value)}>{all.map((one) => <option value={one}>{one || "greatest |δ| of the last elastic object"}</option>)}</select></label>
+    <label>
+      {label}{" "}
+      <select value={value} onChange={(event) => set(event.currentTarget.value)}>
+        {all.map((one) => (
+          <option value={one}>{one || "greatest |δ| of the last elastic object"}</option>
+        ))}
+      </select>
+    </label>
   );
   return (
     <section class={on && known ? "map-view on" : "map-view"} aria-label="map">
       <div key="tools" class="tools">
-        <button type="button" aria-pressed={on} disabled={!known} onClick={() => setOn(!on)}>Map over two numbers</button>
-        {on && known && <>
-          {choice("along", alongX, addresses, setX)}
-          {choice("up", alongY, addresses.filter((one) => one !== alongX), setY)}
-          {choice("of", figure, ["", ...figures], setFigure)}
-        </>}
+        <button type="button" aria-pressed={on} disabled={!known} onClick={() => setOn(!on)}>
+          Map over two numbers
+        </button>
+        {on && known && (
+          <>
+            {choice("along", alongX, addresses, setX)}
+            {choice(
+              "up",
+              alongY,
+              addresses.filter((one) => one !== alongX),
+              setY,
+            )}
+            {choice("of", figure, ["", ...figures], setFigure)}
+          </>
+        )}
         {on && progress && <progress max={progress[1]} value={progress[0]} aria-label="cells of the map" />}
       </div>
-      <Host key="place" class="map-place" of={(element) => { place.current = element; }} />
-      {on && told && <p key="told" class="soft">{told}</p>}
+      <Host
+        key="place"
+        class="map-place"
+        of={(element) => {
+          place.current = element;
+        }}
+      />
+      {on && told && (
+        <p key="told" class="soft">
+          {told}
+        </p>
+      )}
     </section>
   );
 }

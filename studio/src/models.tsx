@@ -8,10 +8,19 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Host } from "./host";
 import type { Link } from "./link";
 
-interface Props { link: Link; scene: string; version: number; kind: "model" | "equations"; choose: (id: string) => void }
+interface Props {
+  link: Link;
+  scene: string;
+  version: number;
+  kind: "model" | "equations";
+  choose: (id: string) => void;
+}
 
 export function Models({ link, scene, version, kind, choose }: Props) {
-  const place = useRef<HTMLElement>(null!), asking = useRef(false), wanted = useRef(version), shown = useRef(-1);
+  const place = useRef<HTMLElement>(null!),
+    asking = useRef(false),
+    wanted = useRef(version),
+    shown = useRef(-1);
   const [told, setTold] = useState("");
   wanted.current = version;
   useEffect(() => {
@@ -25,7 +34,13 @@ export function Models({ link, scene, version, kind, choose }: Props) {
         const found = await link.get(`/api/model?scene=${encodeURIComponent(scene)}`);
         if (gone) return;
         if (found) place.current.innerHTML = found[kind];
-        setTold(found ? "" : place.current.childElementCount ? "Stale: the scene has faults; this is the last good one." : "The scene has faults: they are told below and at the objects.");
+        setTold(
+          found
+            ? ""
+            : place.current.childElementCount
+              ? "Stale: the scene has faults; this is the last good one."
+              : "The scene has faults: they are told below and at the objects.",
+        );
       } catch {
         if (!gone) setTold("The program does not answer.");
       }
@@ -34,26 +49,49 @@ export function Models({ link, scene, version, kind, choose }: Props) {
       if (!gone && shown.current !== wanted.current) void ask();
     };
     void ask();
-    return () => { gone = true; asking.current = false; };
+    return () => {
+      gone = true;
+      asking.current = false;
+    };
   }, [version, scene, kind]);
 
   // What belongs to an object lights up together.
   const lit = (event: Event) => {
-    const at = event.target as Element, id = at.closest<HTMLElement>("[data-of]")?.dataset["of"] ?? at.closest<HTMLElement>("[data-object]")?.dataset["object"];
+    const at = event.target as Element,
+      id = at.closest<HTMLElement>("[data-of]")?.dataset.of ?? at.closest<HTMLElement>("[data-object]")?.dataset.object;
     for (const node of place.current.querySelectorAll<HTMLElement>("[data-of], [data-object]")) {
-      const own = node.dataset["of"] ?? node.dataset["object"];
+      const own = node.dataset.of ?? node.dataset.object;
       node.classList.toggle("lit", id !== undefined && own === id);
     }
   };
   const go = (event: Event) => {
-    const id = (event.target as Element).closest<HTMLElement>("[data-mass]")?.dataset["object"];
+    const id = (event.target as Element).closest<HTMLElement>("[data-mass]")?.dataset.object;
     if (id) choose(id);
   };
   return (
-    <div class={`models ${kind}`} onPointerOver={lit} onPointerLeave={() => place.current.querySelectorAll(".lit").forEach((node) => node.classList.remove("lit"))}
-      onClick={go} onKeyDown={(event) => { if (event.key === "Enter" || event.key === " ") go(event); }}>
-      {told && <p key="told" class="soft" role="status">{told}</p>}
-      <Host key="place" class="models-place" of={(element) => { place.current = element; }} />
+    <div
+      class={`models ${kind}`}
+      onPointerOver={lit}
+      onPointerLeave={() => {
+        for (const node of place.current.querySelectorAll(".lit")) node.classList.remove("lit");
+      }}
+      onClick={go}
+      onKeyDown={(event) => {
+        if (event.key === "Enter" || event.key === " ") go(event);
+      }}
+    >
+      {told && (
+        <p key="told" class="soft" role="status">
+          {told}
+        </p>
+      )}
+      <Host
+        key="place"
+        class="models-place"
+        of={(element) => {
+          place.current = element;
+        }}
+      />
     </div>
   );
 }

@@ -32,7 +32,8 @@ export const fields = StateField.define<Field[]>({
     const { changes } = transaction;
     const place = ([from, to]: [number, number]): [number, number] => [changes.mapPos(from, -1), changes.mapPos(to, 1)];
     return all.map((field) => {
-      const number_at = place(field.number_at), value_at = place(field.value_at);
+      const number_at = place(field.number_at),
+        value_at = place(field.value_at);
       const text = transaction.state.doc.sliceString(number_at[0], number_at[1]);
       const value = text.trim() === "" ? NaN : Number(text);
       return { ...field, number_at, value_at, value: Number.isFinite(value) ? value : field.value };
@@ -40,19 +41,36 @@ export const fields = StateField.define<Field[]>({
   },
 });
 
-export const fieldOf = (state: EditorState, address: string): Field | undefined => state.field(fields).find((field) => field.address === address);
+export const fieldOf = (state: EditorState, address: string): Field | undefined =>
+  state.field(fields).find((field) => field.address === address);
 
-export interface Span { low: number; high: number; log: boolean }
+export interface Span {
+  low: number;
+  high: number;
+  log: boolean;
+}
 
 // From the size of a number, within its bounds; logarithmic where it is above zero anyway.
 export function spanOf(field: Field): Span {
-  const { value, whole } = field, size = Math.abs(value), factor = field.factor ?? 1;
-  const [least, most] = field.bounds.map((bound) => bound === null ? null : bound / factor);
+  const { value, whole } = field,
+    size = Math.abs(value),
+    factor = field.factor ?? 1;
+  const [least, most] = field.bounds.map((bound) => (bound === null ? null : bound / factor));
   const positive = least === 0 && !field.included[0];
-  let low = value - (size || 1), high = value + (size || 1), log = false;
-  if (whole) { low = 0; high = Math.max(10, 2 * value); }
-  else if (positive && value > 0) { low = value / 10; high = value * 10; log = true; }
-  else if (least !== null && least !== undefined && least >= 0) { low = 0; high = value > 0 ? 3 * value : 1; }
+  let low = value - (size || 1),
+    high = value + (size || 1),
+    log = false;
+  if (whole) {
+    low = 0;
+    high = Math.max(10, 2 * value);
+  } else if (positive && value > 0) {
+    low = value / 10;
+    high = value * 10;
+    log = true;
+  } else if (least !== null && least !== undefined && least >= 0) {
+    low = 0;
+    high = value > 0 ? 3 * value : 1;
+  }
   if (least !== null && least !== undefined && low < least) low = least;
   if (most !== null && most !== undefined && high > most) high = most;
   if (!(high > low)) high = low + 1;

@@ -7,5 +7,7 @@ export function printing(answers: Element): void {
     opened = [...answers.querySelectorAll<HTMLDetailsElement>("details:not([open])")];
     for (const one of opened) one.open = true;
   });
-  addEventListener("afterprint", () => { for (const one of opened) one.open = false; });
+  addEventListener("afterprint", () => {
+    for (const one of opened) one.open = false;
+  });
 }

@@ -9,13 +9,17 @@ export type Schema = Record<string, any>;
 
 const text = (state: EditorState, node: SyntaxNode): string => state.doc.sliceString(node.from, node.to);
 function unquoted(state: EditorState, node: SyntaxNode): string {
-  try { return String(JSON.parse(text(state, node))); } catch { return text(state, node).replace(/^"|"$/g, ""); }
+  try {
+    return String(JSON.parse(text(state, node)));
+  } catch {
+    return text(state, node).replace(/^"|"$/g, "");
+  }
 }
 const nameOf = (state: EditorState, property: SyntaxNode): string => {
   const name = property.getChild("PropertyName");
   return name ? unquoted(state, name) : "";
 };
-const valueOf = (property: SyntaxNode): SyntaxNode | null => {
+const valueIn = (property: SyntaxNode): SyntaxNode | null => {
   const last = property.lastChild;
   return last && last.name !== "PropertyName" && !last.type.isError ? last : null;
 };
@@ -41,8 +45,11 @@ export class Guide {
   // A schema itself, where it stands elsewhere under a name; what is said of it here goes before.
   resolved(schema: Schema | undefined): Schema {
     if (!schema || typeof schema !== "object") return {};
-    if (typeof schema["$ref"] !== "string") return schema;
-    const target = schema["$ref"].replace("#/", "").split("/").reduce((at: any, part: string) => at?.[part], this.root);
+    if (typeof schema.$ref !== "string") return schema;
+    const target = schema.$ref
+      .replace("#/", "")
+      .split("/")
+      .reduce((at: any, part: string) => at?.[part], this.root);
     const { $ref: _, ...own } = schema;
     return { ...this.resolved(target), ...own };
   }
@@ -52,13 +59,17 @@ export class Guide {
     if (!schema || typeof schema !== "object" || depth > 12) return [];
     const found: Schema[] = [];
     if (typeof schema.$ref === "string") {
-      const target = schema.$ref.replace("#/", "").split("/").reduce((at: any, part: string) => at?.[part], this.root);
+      const target = schema.$ref
+        .replace("#/", "")
+        .split("/")
+        .reduce((at: any, part: string) => at?.[part], this.root);
       const described = schema.description ? { ...target, description: schema.description } : target;
       found.push(...this.forms(described, depth + 1));
     }
     for (const list of [schema.anyOf, schema.oneOf]) {
       for (const one of list ?? []) {
-        for (const form of this.forms(one, depth + 1)) found.push(schema.description && !form.description ? { ...form, description: schema.description } : form);
+        for (const form of this.forms(one, depth + 1))
+          found.push(schema.description && !form.description ? { ...form, description: schema.description } : form);
       }
     }
     for (const one of schema.allOf ?? []) found.push(...this.forms(one, depth + 1));
@@ -69,21 +80,24 @@ export class Guide {
 
   // Forms of an object that what stands in it does not contradict.
   private fitting(state: EditorState, schema: Schema[], owner: SyntaxNode): Schema[] {
-    const own = new Map(owner.getChildren("Property").map((one) => [nameOf(state, one), valueOf(one)]));
-    return schema.filter((form) => Object.entries<any>(form.properties ?? {}).every(([name, inner]) => {
-      const value = own.get(name);
-      if (!value || value.name !== "String") return true;
-      const given = unquoted(state, value);
-      if (inner?.const !== undefined) return inner.const === given;
-      return name !== "kind" || !Array.isArray(inner?.enum) || inner.enum.includes(given);
-    }));
+    const own = new Map(owner.getChildren("Property").map((one) => [nameOf(state, one), valueIn(one)]));
+    return schema.filter((form) =>
+      Object.entries<any>(form.properties ?? {}).every(([name, inner]) => {
+        const value = own.get(name);
+        if (value?.name !== "String") return true;
+        const given = unquoted(state, value);
+        if (inner?.const !== undefined) return inner.const === given;
+        return name !== "kind" || !Array.isArray(inner?.enum) || inner.enum.includes(given);
+      }),
+    );
   }
 
   private inner(form: Schema, step: string | number): Schema | undefined {
     if (typeof step === "number") return form.prefixItems?.[step] ?? form.items;
     const own = form.properties?.[step];
     if (own) return own;
-    for (const [pattern, inner] of Object.entries(form.patternProperties ?? {})) if (new RegExp(pattern).test(step)) return inner as Schema;
+    for (const [pattern, inner] of Object.entries(form.patternProperties ?? {}))
+      if (new RegExp(pattern).test(step)) return inner as Schema;
     return typeof form.additionalProperties === "object" ? form.additionalProperties : undefined;
   }
 
@@ -102,7 +116,7 @@ export class Guide {
   hover(state: EditorState, position: number): { from: number; to: number; lines: string[] } | null {
     let node: SyntaxNode | null = syntaxTree(state).resolveInner(position, 0);
     while (node && node.name !== "Property" && node.name !== "JsonText") node = node.parent;
-    if (!node || node.name !== "Property") return null;
+    if (node?.name !== "Property") return null;
     const lines = new Set<string>();
     for (const form of this.at(state, node)) {
       if (typeof form.description === "string") lines.add(form.description);
@@ -114,33 +128,60 @@ export class Guide {
   }
 
   complete(context: CompletionContext): CompletionResult | null {
-    const { state, pos } = context, node = syntaxTree(state).resolveInner(pos, -1);
-    const property = node.name === "PropertyName" || node.name === "Property" ? (node.name === "Property" ? node : node.parent!) : null;
-    const inValue = node.parent?.name === "Property" && node.name !== "PropertyName" && valueOf(node.parent)?.from === node.from;
-    const after = /:\s*"?[^"{}\[\],]*$/.test(state.sliceDoc(Math.max(0, pos - 60), pos));
+    const { state, pos } = context,
+      node = syntaxTree(state).resolveInner(pos, -1);
+    const property =
+      node.name === "PropertyName" || node.name === "Property"
+        ? node.name === "Property"
+          ? node
+          : node.parent!
+        : null;
+    const inValue =
+      node.parent?.name === "Property" && node.name !== "PropertyName" && valueIn(node.parent)?.from === node.from;
+    const after = /:\s*"?[^"{}[\],]*$/.test(state.sliceDoc(Math.max(0, pos - 60), pos));
     if (inValue || (property && after && node.name !== "PropertyName")) {
       const owner = inValue ? node.parent! : property!;
       const options = new Map<string, Completion>();
       for (const form of this.at(state, owner)) {
-        const all = [...(form.enum ?? []), ...(form.examples ?? []), ...(form.const === undefined ? [] : [form.const]), ...(form.type === "boolean" ? [true, false] : [])];
+        const all = [
+          ...(form.enum ?? []),
+          ...(form.examples ?? []),
+          ...(form.const === undefined ? [] : [form.const]),
+          ...(form.type === "boolean" ? [true, false] : []),
+        ];
         for (const one of all) options.set(JSON.stringify(one), { label: JSON.stringify(one), type: "enum" });
       }
-      const value = valueOf(owner), from = value && value.from <= pos ? value.from : context.matchBefore(/[^\s:]*/)?.from ?? pos;
-      return options.size ? { from, to: value && value.from <= pos ? Math.max(pos, value.to) : pos, options: [...options.values()] } : null;
+      const value = valueIn(owner),
+        from = value && value.from <= pos ? value.from : (context.matchBefore(/[^\s:]*/)?.from ?? pos);
+      return options.size
+        ? { from, to: value && value.from <= pos ? Math.max(pos, value.to) : pos, options: [...options.values()] }
+        : null;
     }
     let object: SyntaxNode | null = node;
     while (object && object.name !== "Object") object = object.parent;
     if (!object || (!context.explicit && node.name !== "PropertyName")) return null;
     const there = new Set(object.getChildren("Property").map((one) => nameOf(state, one)));
     const inside = node.name === "PropertyName" ? node.parent! : object;
-    const forms = node.name === "PropertyName" ? this.at(state, inside, true)
-      : this.fitting(state, object.parent ? this.at(state, object.parent.name === "Property" ? object.parent : object) : this.forms(this.root), object);
+    const forms =
+      node.name === "PropertyName"
+        ? this.at(state, inside, true)
+        : this.fitting(
+            state,
+            object.parent
+              ? this.at(state, object.parent.name === "Property" ? object.parent : object)
+              : this.forms(this.root),
+            object,
+          );
     const options = new Map<string, Completion>();
     for (const form of forms) {
       for (const [name, inner] of Object.entries<any>(form.properties ?? {})) {
         if (there.has(name) && name !== (node.name === "PropertyName" ? unquoted(state, node) : "")) continue;
         const described = this.forms(inner).find((one) => one.description)?.description;
-        const completion: Completion = { label: `"${name}"`, apply: node.name === "PropertyName" ? `"${name}"` : `"${name}": `, type: "property" };
+        const completion: Completion = {
+          label: `"${name}"`,
+          apply: node.name === "PropertyName" ? `"${name}"` : `"${name}": `,
+          type: "property",
+        };
         if (described) completion.info = described;
         options.set(name, completion);
       }

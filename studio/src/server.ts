@@ -8,7 +8,8 @@ import { shownScene, TAB, TOKEN, type Link, type Message } from "./link";
 // The token comes behind the # of the first address, where no server sees it, and stays in
 // this window alone.
 function token(): { text: string | null; isNew: boolean } {
-  const given = location.hash.slice(1), isNew = /^[0-9a-f]{64}$/.test(given);
+  const given = location.hash.slice(1),
+    isNew = /^[0-9a-f]{64}$/.test(given);
   if (isNew) {
     sessionStorage.setItem(TOKEN, given);
     shownScene.forget();
@@ -45,27 +46,38 @@ export class Server implements Link {
   answer: (frame: ArrayBuffer) => void = () => {};
   state: (connected: boolean) => void = () => {};
 
-  constructor() { ({ text: this.token, isNew: this.isNew } = token()); }
+  constructor() {
+    ({ text: this.token, isNew: this.isNew } = token());
+  }
 
-  get isOpen(): boolean { return this.socket?.readyState === WebSocket.OPEN && this.isWelcome; }
+  get isOpen(): boolean {
+    return this.socket?.readyState === WebSocket.OPEN && this.isWelcome;
+  }
 
-  get known(): boolean { return this.token !== null; }
+  get known(): boolean {
+    return this.token !== null;
+  }
 
-  on(type: string, act: (message: Message) => void): void { this.heard.set(type, act); }
+  on(type: string, act: (message: Message) => void): void {
+    this.heard.set(type, act);
+  }
 
   connect(): void {
     const socket = new WebSocket(`ws://${location.host}/ws`);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     this.isWelcome = false;
-    const say = (message: Message) => socket.send(JSON.stringify(message)), own = { tab: tab(), author: this.author }, token = this.token ?? "";
+    const say = (message: Message) => socket.send(JSON.stringify(message)),
+      own = { tab: tab(), author: this.author },
+      token = this.token ?? "";
     const number = random(32);
     let isProven = this.isNew;
     socket.onopen = async () => {
-      if (this.isNew) say({ type: "hello", token, ...own }); else say({ type: "back", name: await hash(`name ${token}`), number, ...own });
+      if (this.isNew) say({ type: "hello", token, ...own });
+      else say({ type: "back", name: await hash(`name ${token}`), number, ...own });
     };
     const greet = async (message: Message) => {
-      if (message.type === "challenge" && message.proof === await hash(`program ${token} ${number}`)) {
+      if (message.type === "challenge" && message.proof === (await hash(`program ${token} ${number}`))) {
         isProven = true;
         say({ type: "proof", proof: await hash(`window ${token} ${message.number}`) });
       } else if (message.type === "welcome" && isProven) {
@@ -79,9 +91,13 @@ export class Server implements Link {
       } else socket.close();
     };
     socket.onmessage = (event) => {
-      if (this.isWelcome && typeof event.data !== "string") { this.answer(event.data); return; }
+      if (this.isWelcome && typeof event.data !== "string") {
+        this.answer(event.data);
+        return;
+      }
       const message = JSON.parse(event.data) as Message;
-      if (this.isWelcome) this.heard.get(message.type)?.(message); else void greet(message);
+      if (this.isWelcome) this.heard.get(message.type)?.(message);
+      else void greet(message);
     };
     socket.onclose = () => {
       if (this.socket !== socket) return;
@@ -99,8 +115,12 @@ export class Server implements Link {
     return true;
   }
 
-  async get(path: string): Promise<any> { return (await this.fetched(path)).json(); }
-  async text(path: string): Promise<string> { return (await this.fetched(path)).text(); }
+  async get(path: string): Promise<any> {
+    return (await this.fetched(path)).json();
+  }
+  async text(path: string): Promise<string> {
+    return (await this.fetched(path)).text();
+  }
 
   private async fetched(path: string): Promise<Response> {
     // Nobody but a server that was proven to be the own one is given the token.

@@ -4,19 +4,48 @@ import type { Answer } from "./answer";
 import { said } from "./units";
 import "./status.css";
 
-interface Props { answer: Answer | null; stale: string | null; results: () => void }
+interface Props {
+  answer: Answer | null;
+  stale: string | null;
+  results: () => void;
+}
 
 export function StatusLine({ answer, stale, results }: Props) {
-  const { verdict, warnings = [], expect = [] } = answer ?? {}, met = expect.filter((one) => one.holds).length;
+  const { verdict, warnings = [], expect = [] } = answer ?? {},
+    met = expect.filter((one) => one.holds).length;
   return (
     <section class="status-line" aria-label="verdict">
-      {stale && <p class="stale-mark" role="status">{stale}</p>}
-      {answer && verdict && <p class={`verdict ${verdict.sort}`} title={said(verdict.text)}>{answer.coarse && <span class="sort">First look, the model is still being judged</span>} <b>{said(verdict.headline)}</b> <span class="sentence">{said(verdict.text)}</span></p>}
-      {warnings.length > 0 && <details class="remarks">
-        <summary>{warnings.length === 1 ? "1 remark" : `${warnings.length} remarks`}</summary>
-        <ul class="warnings">{warnings.map((one) => <li>{said(one)}</li>)}</ul>
-      </details>}
-      {expect.length > 0 && <button type="button" class={met < expect.length ? "failed" : "met"} onClick={results} title="what the scene expects of this run: see Results">{met < expect.length ? "✗" : "✓"} {met} of {expect.length} met</button>}
+      {stale && (
+        <p class="stale-mark" role="status">
+          {stale}
+        </p>
+      )}
+      {answer && verdict && (
+        <p class={`verdict ${verdict.sort}`} title={said(verdict.text)}>
+          {answer.coarse && <span class="sort">First look, the model is still being judged</span>}{" "}
+          <b>{said(verdict.headline)}</b> <span class="sentence">{said(verdict.text)}</span>
+        </p>
+      )}
+      {warnings.length > 0 && (
+        <details class="remarks">
+          <summary>{warnings.length === 1 ? "1 remark" : `${warnings.length} remarks`}</summary>
+          <ul class="warnings">
+            {warnings.map((one) => (
+              <li>{said(one)}</li>
+            ))}
+          </ul>
+        </details>
+      )}
+      {expect.length > 0 && (
+        <button
+          type="button"
+          class={met < expect.length ? "failed" : "met"}
+          onClick={results}
+          title="what the scene expects of this run: see Results"
+        >
+          {met < expect.length ? "✗" : "✓"} {met} of {expect.length} met
+        </button>
+      )}
     </section>
   );
 }

@@ -8,18 +8,58 @@ type Act = (steps: Steps, board: Board, from: Spot, to: Spot) => string | null;
 
 // Name, whether it goes from one place to another, what it does, and what is said of it.
 export const TOOLS: Record<Tool, { words: string; two: boolean; act: Act | null; help: string }> = {
-  select: { words: "Select", two: false, act: null, help: "Drag a joint, or move it with the arrow keys: the other joints and the angles of the links stay as they are at this input. Delete takes it away." },
-  ground: { words: "Ground", two: false, act: grounded, help: "Click where the ground has a point; at a joint it holds the joint." },
-  link: { words: "Link", two: true, act: linked, help: "Drag, or click twice, from place to place: a joint or a link that is there gets a pin, a new place a point. The first pin on the ground is driven." },
-  point: { words: "Point", two: true, act: pointed, help: "Press on a link and let go where its further point is to be." },
-  guide: { words: "Guide", two: true, act: guided, help: "Press at a joint of a link and let go in the direction in which it is to slide on the ground." },
-  delete: { words: "Delete", two: false, act: (steps, board, from) => removed(steps, board, from), help: "Click a joint, which loses its pairs and points, or a link." },
+  select: {
+    words: "Select",
+    two: false,
+    act: null,
+    help: "Drag a joint, or move it with the arrow keys: the other joints and the angles of the links stay as they are at this input. Delete takes it away.",
+  },
+  ground: {
+    words: "Ground",
+    two: false,
+    act: grounded,
+    help: "Click where the ground has a point; at a joint it holds the joint.",
+  },
+  link: {
+    words: "Link",
+    two: true,
+    act: linked,
+    help: "Drag, or click twice, from place to place: a joint or a link that is there gets a pin, a new place a point. The first pin on the ground is driven.",
+  },
+  point: {
+    words: "Point",
+    two: true,
+    act: pointed,
+    help: "Press on a link and let go where its further point is to be.",
+  },
+  guide: {
+    words: "Guide",
+    two: true,
+    act: guided,
+    help: "Press at a joint of a link and let go in the direction in which it is to slide on the ground.",
+  },
+  delete: {
+    words: "Delete",
+    two: false,
+    act: (steps, board, from) => removed(steps, board, from),
+    help: "Click a joint, which loses its pairs and points, or a link.",
+  },
 };
 
 export function Tools({ tool, choose }: { tool: Tool; choose: (tool: Tool) => void }) {
   return (
     <div class="tools" role="toolbar" aria-label="tools of the drawing">
-      {(Object.keys(TOOLS) as Tool[]).map((name) => <button type="button" key={name} aria-pressed={tool === name} title={TOOLS[name].help} onClick={() => choose(name)}>{TOOLS[name].words}</button>)}
+      {(Object.keys(TOOLS) as Tool[]).map((name) => (
+        <button
+          type="button"
+          key={name}
+          aria-pressed={tool === name}
+          title={TOOLS[name].help}
+          onClick={() => choose(name)}
+        >
+          {TOOLS[name].words}
+        </button>
+      ))}
     </div>
   );
 }

@@ -15,20 +15,98 @@ const TURN = 2 * Math.PI;
 
 // Of every SI unit the others, with how many of it they are.
 const CHOICES: Record<string, [string, [string, number][]]> = {
-  rad: ["angles", [["rad", 1], ["mrad", 1e-3], ["deg", TURN / 360]]],
-  m: ["lengths", [["m", 1], ["mm", 1e-3], ["µm", 1e-6]]],
-  "rad/s": ["angular speeds", [["rad/s", 1], ["rpm", TURN / 60], ["rev/s", TURN], ["deg/s", TURN / 360]]],
-  "m/s": ["speeds", [["m/s", 1], ["mm/s", 1e-3], ["m/min", 1 / 60]]],
-  "rad/s²": ["angular accelerations", [["rad/s²", 1], ["deg/s²", TURN / 360]]],
-  "m/s²": ["accelerations", [["m/s²", 1], ["mm/s²", 1e-3]]],
-  N: ["forces", [["N", 1], ["kN", 1e3], ["MN", 1e6]]],
-  "N m": ["moments", [["N m", 1], ["kN m", 1e3], ["N mm", 1e-3]]],
-  Pa: ["pressures", [["Pa", 1], ["MPa", 1e6], ["bar", 1e5]]],
-  s: ["times", [["s", 1], ["ms", 1e-3]]],
-  J: ["energies", [["J", 1], ["kJ", 1e3], ["mJ", 1e-3]]],
+  rad: [
+    "angles",
+    [
+      ["rad", 1],
+      ["mrad", 1e-3],
+      ["deg", TURN / 360],
+    ],
+  ],
+  m: [
+    "lengths",
+    [
+      ["m", 1],
+      ["mm", 1e-3],
+      ["µm", 1e-6],
+    ],
+  ],
+  "rad/s": [
+    "angular speeds",
+    [
+      ["rad/s", 1],
+      ["rpm", TURN / 60],
+      ["rev/s", TURN],
+      ["deg/s", TURN / 360],
+    ],
+  ],
+  "m/s": [
+    "speeds",
+    [
+      ["m/s", 1],
+      ["mm/s", 1e-3],
+      ["m/min", 1 / 60],
+    ],
+  ],
+  "rad/s²": [
+    "angular accelerations",
+    [
+      ["rad/s²", 1],
+      ["deg/s²", TURN / 360],
+    ],
+  ],
+  "m/s²": [
+    "accelerations",
+    [
+      ["m/s²", 1],
+      ["mm/s²", 1e-3],
+    ],
+  ],
+  N: [
+    "forces",
+    [
+      ["N", 1],
+      ["kN", 1e3],
+      ["MN", 1e6],
+    ],
+  ],
+  "N m": [
+    "moments",
+    [
+      ["N m", 1],
+      ["kN m", 1e3],
+      ["N mm", 1e-3],
+    ],
+  ],
+  Pa: [
+    "pressures",
+    [
+      ["Pa", 1],
+      ["MPa", 1e6],
+      ["bar", 1e5],
+    ],
+  ],
+  s: [
+    "times",
+    [
+      ["s", 1],
+      ["ms", 1e-3],
+    ],
+  ],
+  J: [
+    "energies",
+    [
+      ["J", 1],
+      ["kJ", 1e3],
+      ["mJ", 1e-3],
+    ],
+  ],
 };
 
-interface Shown { unit: string; factor: number }
+interface Shown {
+  unit: string;
+  factor: number;
+}
 
 // The unit in which values of an SI unit are shown; undefined: whichever reads best.
 const chosen = new Map<string, Shown>();
@@ -37,13 +115,18 @@ export const choice = { number: 0 };
 
 function choose(si: string, unit: string): void {
   const found = CHOICES[si]?.[1].find(([name]) => name === unit);
-  if (found) chosen.set(si, { unit: found[0], factor: found[1] }); else chosen.delete(si);
+  if (found) chosen.set(si, { unit: found[0], factor: found[1] });
+  else chosen.delete(si);
   choice.number++;
   numbers.prefer((unit) => chosen.get(unit));
 }
 
 function chooseKept(): void {
-  try { for (const [si, unit] of Object.entries(JSON.parse(kept.get() ?? "{}"))) choose(si, String(unit)); } catch { /* What cannot be read was not chosen. */ }
+  try {
+    for (const [si, unit] of Object.entries(JSON.parse(kept.get() ?? "{}"))) choose(si, String(unit));
+  } catch {
+    /* What cannot be read was not chosen. */
+  }
 }
 chooseKept();
 // Those that another browser or program was given.
@@ -58,7 +141,9 @@ export type Sentence = (string | { words: string; value: number; unit: string; d
 
 // A sentence in the units that were chosen.
 export function said(sentence: Sentence): string {
-  return sentence.map((part) => typeof part === "string" ? part : inOwn(part.value, part.unit, part.digits) ?? part.words).join("");
+  return sentence
+    .map((part) => (typeof part === "string" ? part : (inOwn(part.value, part.unit, part.digits) ?? part.words)))
+    .join("");
 }
 
 // A value of an SI unit in the one that was chosen; null: in whichever reads best.
@@ -68,21 +153,27 @@ function inOwn(value: number, si: string, digits: number): string | null {
 }
 
 // The SI unit of what is told in degrees.
-const ofDegrees: Record<string, [string, number]> = { deg: ["rad", TURN / 360], "deg/s": ["rad/s", TURN / 360], rpm: ["rad/s", TURN / 60] };
+const ofDegrees: Record<string, [string, number]> = {
+  deg: ["rad", TURN / 360],
+  "deg/s": ["rad/s", TURN / 360],
+  rpm: ["rad/s", TURN / 60],
+};
 
 // Figures in a piece of a page, each with its value and SI unit as its title.
 export function reshow(piece: ParentNode): void {
   for (const one of piece.querySelectorAll<HTMLElement>("span.quantity[title]")) {
     const [, number, unit] = /^(\S+) (.+)$/.exec(one.title) ?? [];
-    one.dataset["words"] ??= one.textContent ?? "";
-    one.textContent = inOwn(Number(number), unit ?? "", Number(one.dataset["digits"])) ?? one.dataset["words"];
+    one.dataset.words ??= one.textContent ?? "";
+    one.textContent = inOwn(Number(number), unit ?? "", Number(one.dataset.digits)) ?? one.dataset.words;
   }
   if (!chosen.size) return;
   for (const one of piece.querySelectorAll<HTMLElement>("td span[title]")) {
-    const [, number, unit = ""] = /^(\S+) (.+)$/.exec(one.title) ?? [], [si, factor] = ofDegrees[unit] ?? [unit, 1];
-    const own = chosen.get(si), name = one.querySelector(".unit");
+    const [, number, unit = ""] = /^(\S+) (.+)$/.exec(one.title) ?? [],
+      [si, factor] = ofDegrees[unit] ?? [unit, 1];
+    const own = chosen.get(si),
+      name = one.querySelector(".unit");
     if (!own || !name || !Number.isFinite(Number(number))) continue;
-    one.replaceChildren(`${numbers.significant(Number(number) * factor / own.factor, 7)} `, name);
+    one.replaceChildren(`${numbers.significant((Number(number) * factor) / own.factor, 7)} `, name);
     name.textContent = own.unit;
   }
 }
@@ -90,34 +181,40 @@ export function reshow(piece: ParentNode): void {
 // Readings of what moves: places and deviations, which the player tells in the units that stand there.
 export function remeasure(place: Element): void {
   for (const { dataset: own } of place.querySelectorAll<HTMLElement>("[data-column][data-unit]")) {
-    own["asDrawn"] ??= JSON.stringify([own["unit"], own["scale"], own["deltaUnit"], own["deltaScale"]]);
-    const drawn: string[] = JSON.parse(own["asDrawn"]), shown = chosen.get(drawn[0] === "deg" ? "rad" : "m"), scale = shown && String(1 / shown.factor);
-    [own["unit"], own["scale"], own["deltaUnit"], own["deltaScale"]] = shown ? [shown.unit, scale, shown.unit, scale] : drawn;
+    own.asDrawn ??= JSON.stringify([own.unit, own.scale, own.deltaUnit, own.deltaScale]);
+    const drawn: string[] = JSON.parse(own.asDrawn),
+      shown = chosen.get(drawn[0] === "deg" ? "rad" : "m"),
+      scale = shown && String(1 / shown.factor);
+    [own.unit, own.scale, own.deltaUnit, own.deltaScale] = shown ? [shown.unit, scale, shown.unit, scale] : drawn;
   }
 }
 
 // A number of the text as it is shown; null: as it is written.
 export function fieldIn(field: Field): { text: string; unit: string; back: (typed: string) => string } | null {
-  const own = chosen.get(field.si.replace("^2", "²")), { factor } = field;
+  const own = chosen.get(field.si.replace("^2", "²")),
+    { factor } = field;
   if (!own || factor === null || own.unit === (field.unit || field.si).replace("^2", "²")) return null;
   const digits = (value: number) => String(Number(value.toPrecision(12)));
   return {
-    text: String(Number((field.value * factor / own.factor).toPrecision(7))),
+    text: String(Number(((field.value * factor) / own.factor).toPrecision(7))),
     unit: own.unit,
     // What was typed without a unit, or in this one, in the unit that the text has.
     back: (typed) => {
       const given = typedNumber(typed);
       if (given.sort !== "number" || (given.entry.unit && given.entry.unit !== own.unit)) return typed;
-      return digits(Number(given.entry.number) * own.factor / factor);
+      return digits((Number(given.entry.number) * own.factor) / factor);
     },
   };
 }
 
 export function Units({ link, changed }: { link: Link; changed: () => void }) {
-  const [open, setOpen] = useState(false), place = useRef<HTMLDivElement>(null);
+  const [open, setOpen] = useState(false),
+    place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (!open) return;
-    const away = (event: Event) => { if (!place.current?.contains(event.target as Node)) setOpen(false); };
+    const away = (event: Event) => {
+      if (!place.current?.contains(event.target as Node)) setOpen(false);
+    };
     addEventListener("pointerdown", away);
     return () => removeEventListener("pointerdown", away);
   }, [open]);
@@ -127,16 +224,42 @@ export function Units({ link, changed }: { link: Link; changed: () => void }) {
     changed();
   };
   return (
-    <div class="units" ref={place} onKeyDown={(event) => { if (event.key === "Escape" && open) { event.preventDefault(); setOpen(false); place.current?.querySelector("button")?.focus(); } }}>
-      <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>Units</button>
-      {open && <div class="units-list" role="group" aria-label="units shown">
-        <p class="soft">Figures, charts and numbers are shown in these; the text stays as it is.</p>
-        {Object.entries(CHOICES).map(([si, [name, units]]) => <label key={si}><span>{name}</span>
-          <select aria-label={name} value={chosen.get(si)?.unit ?? ""} onChange={(event) => set(si, event.currentTarget.value)}>
-            <option value="">whichever reads best</option>
-            {units.map(([unit]) => <option key={unit} value={unit}>{unit}</option>)}
-          </select></label>)}
-      </div>}
+    <div
+      class="units"
+      ref={place}
+      onKeyDown={(event) => {
+        if (event.key === "Escape" && open) {
+          event.preventDefault();
+          setOpen(false);
+          place.current?.querySelector("button")?.focus();
+        }
+      }}
+    >
+      <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>
+        Units
+      </button>
+      {open && (
+        <div class="units-list" role="group" aria-label="units shown">
+          <p class="soft">Figures, charts and numbers are shown in these; the text stays as it is.</p>
+          {Object.entries(CHOICES).map(([si, [name, units]]) => (
+            <label key={si}>
+              <span>{name}</span>
+              <select
+                aria-label={name}
+                value={chosen.get(si)?.unit ?? ""}
+                onChange={(event) => set(si, event.currentTarget.value)}
+              >
+                <option value="">whichever reads best</option>
+                {units.map(([unit]) => (
+                  <option key={unit} value={unit}>
+                    {unit}
+                  </option>
+                ))}
+              </select>
+            </label>
+          ))}
+        </div>
+      )}
     </div>
   );
 }

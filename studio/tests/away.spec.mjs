@@ -75,17 +75,28 @@ test("edits of two windows, one of them cut off, become one text", async ({ page
   await page.addInitScript(() => {
     const Own = WebSocket;
     window.sockets = [];
-    window.WebSocket = class extends Own { constructor(...all) { if (window.cut) all[0] = String(all[0]).replace("/ws", "/none"); super(...all); window.sockets.push(this); } };
+    window.WebSocket = class extends Own {
+      constructor(...all) {
+        if (window.cut) all[0] = String(all[0]).replace("/ws", "/none");
+        super(...all);
+        window.sockets.push(this);
+      }
+    };
   });
   await opened(page, server.address);
   const other = await context.newPage();
   await opened(other, server.address);
-  await page.evaluate(() => { window.cut = true; for (const one of window.sockets) one.close(); });
+  await page.evaluate(() => {
+    window.cut = true;
+    for (const one of window.sockets) one.close();
+  });
   await expect(page.locator(".lost")).toBeVisible();
   await set(page, "inertia", "0.21");
   await set(other, "damping capacity", "0.33");
   await set(other, "speed", "12 rev/s");
-  await page.evaluate(() => { window.cut = false; });
+  await page.evaluate(() => {
+    window.cut = false;
+  });
   await expect(page.locator(".lost")).toHaveCount(0);
   await expect(async () => {
     const texts = [await textOf(page), await textOf(other)];
@@ -103,12 +114,17 @@ test("a text of nearly 1 MB is taken, a larger one refused with words", async ({
     await page.locator(".cm-line").first().click();
     await page.keyboard.press("Control+Home");
     // Escapes make the message larger than the text.
-    const line = '"\t\\ü"'.repeat(40) + "\n";
-    await page.evaluate((text) => {
-      const data = new DataTransfer();
-      data.setData("text/plain", text);
-      document.activeElement.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
-    }, line.repeat(Math.round(size / (line.length + 40))));
+    const line = `${'"\t\\ü"'.repeat(40)}\n`;
+    await page.evaluate(
+      (text) => {
+        const data = new DataTransfer();
+        data.setData("text/plain", text);
+        document.activeElement.dispatchEvent(
+          new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }),
+        );
+      },
+      line.repeat(Math.round(size / (line.length + 40))),
+    );
   };
   await paste(1_100_000);
   await expect(page.locator(".notices")).toContainText("at most 1 MB");

@@ -18,7 +18,8 @@ test.afterEach(async () => {
   expect(wrong).toEqual([]);
 });
 const opened = (page) => openedAt(page, server.address);
-const chart = (page, title) => page.locator(".charts .chart", { has: page.locator("svg.dam-plot", { hasText: title }) }).first();
+const chart = (page, title) =>
+  page.locator(".charts .chart", { has: page.locator("svg.dam-plot", { hasText: title }) }).first();
 const text = async (download) => readFileSync(await (await download).path(), "utf8");
 async function moved(page, key = "ArrowRight", times = 5) {
   const before = await deltaOf(page);
@@ -35,13 +36,17 @@ async function exported(page, place, way) {
   await place.locator(".export button", { hasText: way }).click();
   return download;
 }
-const table = (csv) => { const [head, ...rows] = csv.trimEnd().split("\n"); return { head: head.split(","), columns: head.split(",").map((_, k) => rows.map((row) => row.split(",")[k])) }; };
+const table = (csv) => {
+  const [head, ...rows] = csv.trimEnd().split("\n");
+  return { head: head.split(","), columns: head.split(",").map((_, k) => rows.map((row) => row.split(",")[k])) };
+};
 
 test("a pinned run stays in the charts and beside the figures", async ({ page }) => {
   await opened(page);
   const delta = chart(page, "Positioning error");
   await expect(delta).toBeVisible();
-  const first = await deltaOf(page), alone = table(await text(exported(page, delta, "CSV")));
+  const first = await deltaOf(page),
+    alone = table(await text(exported(page, delta, "CSV")));
   await page.getByRole("button", { name: "Pin this run" }).click();
   await expect(page.getByLabel("name of pinned run 1")).toHaveValue("run 1");
   await moved(page);
@@ -99,7 +104,10 @@ test("pinned runs are there again after the program was killed", async ({ page, 
   await name.fill("heavier");
   await name.blur();
   const row = (one) => one.locator(".compared tr", { hasText: "greatest |δ|" }).first();
-  const titles = (one) => row(one).locator("td span[title]").evaluateAll((all) => all.map((each) => each.title.split(" ")[0]));
+  const titles = (one) =>
+    row(one)
+      .locator("td span[title]")
+      .evaluateAll((all) => all.map((each) => each.title.split(" ")[0]));
   await expect.poll(() => titles(page)).toContain(second);
   await expect(page.locator(".compared")).toContainText("heavier");
   const before = await titles(page);
@@ -107,13 +115,16 @@ test("pinned runs are there again after the program was killed", async ({ page, 
   await page.close();
   await server.kill();
   // Another port, another tab: the text is that of the file, the pinned figures are those of before.
-  const port = Number(new URL(server.address).port), later = await context.newPage(), late = watched(later);
+  const port = Number(new URL(server.address).port),
+    later = await context.newPage(),
+    late = watched(later);
   await server.start({ port: port === 65535 ? port - 1 : port + 1 });
   await openedAt(later, server.address);
   await expect(later.getByLabel("name of pinned run 1")).toHaveValue("run 1");
   await expect(later.getByLabel("name of pinned run 2")).toHaveValue("heavier");
   await expect.poll(() => titles(later)).toContain(second);
-  const after = await titles(later), columns = await row(later).locator("td").count();
+  const after = await titles(later),
+    columns = await row(later).locator("td").count();
   expect(columns).toBeGreaterThan(2);
   expect([first, second].map((one) => after.includes(one))).toEqual([true, true]);
   expect(after.slice(1, 3).sort()).toEqual(before.slice(1, 3).sort());
@@ -129,8 +140,10 @@ test("a signal over another is a chart of the record's columns", async ({ page }
   await expect(portrait).toBeVisible();
   const csv = table(await text(exported(page, portrait, "CSV")));
   expect(csv.head).toEqual(["rocker.displacement [rad]", "rocker.speed over rocker.displacement [rad/s]"]);
-  const own = async (name) => table(await text(exported(page, page.locator("#object-rocker .chart", { hasText: name }).first(), "CSV")));
-  const displacement = await own("Displacement"), speed = await own("Speed");
+  const own = async (name) =>
+    table(await text(exported(page, page.locator("#object-rocker .chart", { hasText: name }).first(), "CSV")));
+  const displacement = await own("Displacement"),
+    speed = await own("Speed");
   expect(csv.columns[0]).toEqual(displacement.columns[1]);
   expect(csv.columns[1]).toEqual(speed.columns[1]);
   await moved(page);
@@ -152,7 +165,10 @@ test("charts, the report and the scene are saved as files", async ({ page }) => 
   const svg = await text(exported(page, delta, "SVG"));
   expect(svg).toContain('xmlns="http://www.w3.org/2000/svg"');
   expect(svg).not.toContain("var(--");
-  await page.evaluate((svg) => { const parsed = new DOMParser().parseFromString(svg, "image/svg+xml"); if (parsed.querySelector("parsererror")) throw new Error("no SVG"); }, svg);
+  await page.evaluate((svg) => {
+    const parsed = new DOMParser().parseFromString(svg, "image/svg+xml");
+    if (parsed.querySelector("parsererror")) throw new Error("no SVG");
+  }, svg);
   const png = readFileSync(await (await exported(page, delta, "PNG")).path());
   expect(png.subarray(1, 4).toString()).toBe("PNG");
   expect(png.length).toBeGreaterThan(5000);
@@ -166,7 +182,11 @@ test("charts, the report and the scene are saved as files", async ({ page }) => 
   // The page is that of the command, byte for byte.
   const out = join(server.base, "out");
   // A pair that opens ends the command with status 1.
-  try { execFileSync(dam, ["run", server.path(), "--out", out, "--quiet", "--units", "si"], { stdio: "ignore" }); } catch { /* told by its files */ }
+  try {
+    execFileSync(dam, ["run", server.path(), "--out", out, "--quiet", "--units", "si"], { stdio: "ignore" });
+  } catch {
+    /* told by its files */
+  }
   expect(report).toBe(readFileSync(join(out, "report.html"), "utf8"));
   const record = table(await saved("Export record"));
   expect(record.columns[0].length).toBeGreaterThan(100);
@@ -187,9 +207,15 @@ test("a map is saved with what is told of every cell", async ({ page }) => {
 function film(bytes) {
   const found = { size: [bytes.readUInt16LE(6), bytes.readUInt16LE(8)], frames: 0, time: 0 };
   let at = 13 + 3 * 2 ** ((bytes[10] & 7) + 1);
-  const skip = () => { while (bytes[at] > 0) at += 1 + bytes[at]; at++; };
+  const skip = () => {
+    while (bytes[at] > 0) at += 1 + bytes[at];
+    at++;
+  };
   while (bytes[at] !== 0x3b) {
-    if (bytes[at] === 0x2c) { found.frames++; at += 11; } else {
+    if (bytes[at] === 0x2c) {
+      found.frames++;
+      at += 11;
+    } else {
       if (bytes[at + 1] === 0xf9) found.time += bytes.readUInt16LE(at + 4);
       at += 2;
     }
@@ -208,8 +234,16 @@ test("the moving machine is saved as an SVG that runs by itself and as a GIF of 
   const svg = (await saved("SVG")).toString();
   expect(svg).not.toMatch(/var\(|href=/);
   const [wrongs, turns, wide, high] = await page.evaluate((svg) => {
-    const read = new DOMParser().parseFromString(svg, "image/svg+xml"), turns = [...read.querySelectorAll("animateTransform[type=rotate]")].map((one) => one.getAttribute("values").split(";").map(Number));
-    return [read.querySelectorAll("parsererror").length, turns, +read.documentElement.getAttribute("width"), +read.documentElement.getAttribute("height")];
+    const read = new DOMParser().parseFromString(svg, "image/svg+xml"),
+      turns = [...read.querySelectorAll("animateTransform[type=rotate]")].map((one) =>
+        one.getAttribute("values").split(";").map(Number),
+      );
+    return [
+      read.querySelectorAll("parsererror").length,
+      turns,
+      +read.documentElement.getAttribute("width"),
+      +read.documentElement.getAttribute("height"),
+    ];
   }, svg);
   expect(wrongs).toBe(0);
   // The drive turns once, counterclockwise.

@@ -6,7 +6,9 @@ import { textOf, watched } from "./page.mjs";
 import { dam, Server } from "./server.mjs";
 
 let server, wrong;
-test.beforeEach(({ page }) => { wrong = watched(page); });
+test.beforeEach(({ page }) => {
+  wrong = watched(page);
+});
 test.afterEach(async () => {
   await server.end();
   expect(wrong).toEqual([]);
@@ -32,23 +34,37 @@ async function begun(page) {
 }
 // A place of the drawing (mm) on the screen: half a metre is seen at first, from -125 mm on.
 async function at(page, [x, y]) {
-  const box = await sketch(page).boundingBox(), scale = Math.min(box.width / 500, box.height / 330);
+  const box = await sketch(page).boundingBox(),
+    scale = Math.min(box.width / 500, box.height / 330);
   return [box.x + box.width / 2 + (x + 125 - 250) * scale, box.y + box.height / 2 + (165 - y - 125) * scale];
 }
 async function click(page, place) {
-  await page.mouse.click(...await at(page, place));
+  await page.mouse.click(...(await at(page, place)));
   await settled(page);
 }
 async function drag(page, from, to) {
-  await page.mouse.move(...await at(page, from));
+  await page.mouse.move(...(await at(page, from)));
   await page.mouse.down();
-  await page.mouse.move(...await at(page, to), { steps: 4 });
+  await page.mouse.move(...(await at(page, to)), { steps: 4 });
   await page.mouse.up();
   await settled(page);
 }
 // Where the joints are drawn (m).
-const places = (page) => page.locator(".joint").evaluateAll((all) => Object.fromEntries(all.flatMap((one) => one.dataset.joint.split(" ").map((name) => [name, one.dataset.at.split(" ").map(Number)]))));
-const columns = (name) => JSON.parse(execFileSync(dam, ["kinematics", server.path(name), "--turn", "--positions", "12", "--json", "--quiet"], { encoding: "utf8", maxBuffer: 1 << 26 })).columns;
+const places = (page) =>
+  page
+    .locator(".joint")
+    .evaluateAll((all) =>
+      Object.fromEntries(
+        all.flatMap((one) => one.dataset.joint.split(" ").map((name) => [name, one.dataset.at.split(" ").map(Number)])),
+      ),
+    );
+const columns = (name) =>
+  JSON.parse(
+    execFileSync(dam, ["kinematics", server.path(name), "--turn", "--positions", "12", "--json", "--quiet"], {
+      encoding: "utf8",
+      maxBuffer: 1 << 26,
+    }),
+  ).columns;
 
 test("a four-bar drawn with the mouse stands at 12 angles where dam kinematics has it", async ({ page }) => {
   test.setTimeout(120_000);
@@ -71,14 +87,19 @@ test("a four-bar drawn with the mouse stands at 12 angles where dam kinematics h
   await expect(page.locator(".structure")).toContainText("dyad RRR");
   await button(page, "Save").click();
   await expect(page.locator(".top")).not.toContainText("not saved");
-  const text = await textOf(page), own = JSON.parse(text).objects.linkage;
+  const text = await textOf(page),
+    own = JSON.parse(text).objects.linkage;
   expect(server.text("drawn.json")).toBe(text);
   // The numbers are those of the grid, each part on a line of its own.
-  expect(Object.values(own.ground)).toEqual([[0, 0], ["200 mm", 0]]);
+  expect(Object.values(own.ground)).toEqual([
+    [0, 0],
+    ["200 mm", 0],
+  ]);
   expect(text).toContain('\n        "link_1": { "points": { "B": [0, "60 mm"] } },\n');
   expect(own.links.link_2.points).toEqual({ C: ["160 mm", "70 mm"] });
   expect(Object.keys(own.pairs)).toHaveLength(4);
-  const told = columns("drawn.json"), input = page.getByLabel("input of the linkage");
+  const told = columns("drawn.json"),
+    input = page.getByLabel("input of the linkage");
   await button(page, "Select").click();
   let compared = 0;
   for (let k = 0; k < 12; k++) {
@@ -87,7 +108,8 @@ test("a four-bar drawn with the mouse stands at 12 angles where dam kinematics h
     for (const [name, drawn] of Object.entries(await places(page))) {
       const [link, point] = name.split(".");
       if (!own.links[link]?.points[point]) continue;
-      for (const [c, axis] of ["x", "y"].entries()) expect(drawn[c], `${name} at ${30 * k} deg`).toBeCloseTo(told[`links.${name}.${axis}`].values[k], 12);
+      for (const [c, axis] of ["x", "y"].entries())
+        expect(drawn[c], `${name} at ${30 * k} deg`).toBeCloseTo(told[`links.${name}.${axis}`].values[k], 12);
       compared++;
     }
   }
@@ -147,7 +169,9 @@ test("points of links, guides and deleting keep the rest of the text", async ({ 
 test("the keyboard draws a link and deletes a joint", async ({ page }) => {
   test.setTimeout(120_000);
   await begun(page);
-  const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
+  const press = async (...keys) => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
   await button(page, "Ground").focus();
   await press("Enter");
   await sketch(page).focus();
@@ -180,7 +204,9 @@ async function shown(page, scene) {
 }
 // Pulls a joint by so many pixels of the screen.
 async function pulled(page, name, [dx, dy]) {
-  const before = await textOf(page), box = await joint(page, name).locator(".hit").boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const before = await textOf(page),
+    box = await joint(page, name).locator(".hit").boundingBox(),
+    [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + dx, y + dy, { steps: 3 });
@@ -189,21 +215,30 @@ async function pulled(page, name, [dx, dy]) {
   await settled(page);
 }
 // How far the joints are from where they were (m).
-const offs = (before, after) => Object.fromEntries(Object.entries(after).map(([name, [x, y]]) => [name, [x - before[name][0], y - before[name][1]]]));
-const still = (moved, ...names) => { for (const [name, [x, y]] of Object.entries(moved)) if (!names.includes(name)) expect(Math.hypot(x, y), name).toBeLessThan(1e-9); };
+const offs = (before, after) =>
+  Object.fromEntries(Object.entries(after).map(([name, [x, y]]) => [name, [x - before[name][0], y - before[name][1]]]));
+const still = (moved, ...names) => {
+  for (const [name, [x, y]] of Object.entries(moved))
+    if (!names.includes(name)) expect(Math.hypot(x, y), name).toBeLessThan(1e-9);
+};
 
 test("a five-bar goes with each of its inputs, and its joints are dragged where they have put it", async ({ page }) => {
   await shown(page, "scenarios/linkages/five_bar.json");
   await expect(page.locator(".structure")).toContainText("2 degrees of freedom");
   await expect(page.locator(".structure")).toContainText("input left");
   await expect(page.locator(".structure")).toContainText("while the others are held");
-  const file = await textOf(page), start = await places(page), left = page.getByLabel("input left of the linkage"), right = page.getByLabel("input right of the linkage");
+  const file = await textOf(page),
+    start = await places(page),
+    left = page.getByLabel("input left of the linkage"),
+    right = page.getByLabel("input right of the linkage");
   const there = Number(await left.inputValue());
   await left.fill(String(there + 6));
   await settled(page);
   const one = await places(page);
   expect(Math.hypot(one["crank.A"][0], one["crank.A"][1])).toBeCloseTo(0.2, 12);
-  expect(Math.atan2(one["crank.A"][1], one["crank.A"][0]) - Math.atan2(start["crank.A"][1], start["crank.A"][0])).toBeCloseTo(6 * Math.PI / 90, 9);
+  expect(
+    Math.atan2(one["crank.A"][1], one["crank.A"][0]) - Math.atan2(start["crank.A"][1], start["crank.A"][0]),
+  ).toBeCloseTo((6 * Math.PI) / 90, 9);
   expect(one["servo.B"]).toEqual(start["servo.B"]);
   // The other input goes on from there.
   await right.fill(String(Number(await right.inputValue()) - 4));
@@ -244,11 +279,14 @@ test("a block is dragged along its guide, and a guide takes its block along", as
 test("a block slides along a guide on a moving link", async ({ page }) => {
   await shown(page, "scenarios/kinetostatics/slotted_lever.json");
   await expect(page.locator(".sketch .guide-line")).toHaveCount(1);
-  const start = await places(page), [x, y] = start["block.origin"], [u, v] = start["lever.origin"];
+  const start = await places(page),
+    [x, y] = start["block.origin"],
+    [u, v] = start["lever.origin"];
   await pulled(page, "block.origin", [4, -20]);
   await expect(page.locator(".faults button.error")).toHaveCount(0);
   await expect.poll(async () => Math.hypot(...offs(start, await places(page))["block.origin"])).toBeGreaterThan(1e-3);
-  const moved = offs(start, await places(page)), [dx, dy] = moved["block.origin"];
+  const moved = offs(start, await places(page)),
+    [dx, dy] = moved["block.origin"];
   still(moved, "block.origin", "crank.A");
   // Along the lever, on which it stands.
   expect((dx * (y - v) - dy * (x - u)) / Math.hypot(x - u, y - v)).toBeCloseTo(0, 9);
@@ -257,7 +295,9 @@ test("a block slides along a guide on a moving link", async ({ page }) => {
 test("of a frame that floats the inputs tell the place, its parts are dragged", async ({ page }) => {
   await shown(page, "scenarios/linkages/floating_slider_crank.json");
   await expect(page.getByLabel(/^input .* of the linkage$/)).toHaveCount(4);
-  const file = await textOf(page), start = await places(page), tilt = page.getByLabel("input tilt of the linkage");
+  const file = await textOf(page),
+    start = await places(page),
+    tilt = page.getByLabel("input tilt of the linkage");
   await tilt.fill(String(Number(await tilt.inputValue()) + 10));
   await settled(page);
   await expect(page.locator(".drawing output", { hasText: "20 °" })).toHaveCount(1);

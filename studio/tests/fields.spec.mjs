@@ -5,7 +5,9 @@ import { box, field, opened, textOf, watched } from "./page.mjs";
 import { Server } from "./server.mjs";
 
 let server, wrong;
-test.beforeEach(({ page }) => { wrong = watched(page); });
+test.beforeEach(({ page }) => {
+  wrong = watched(page);
+});
 test.afterEach(async () => {
   await server.end();
   expect(wrong).toEqual([]);
@@ -15,9 +17,12 @@ async function started(scenes) {
   await server.start();
 }
 const button = (page, name) => page.getByRole("button", { name, exact: true });
-const middle = async (locator) => { const { x, y, width, height } = await locator.boundingBox(); return [x + width / 2, y + height / 2]; };
+const middle = async (locator) => {
+  const { x, y, width, height } = await locator.boundingBox();
+  return [x + width / 2, y + height / 2];
+};
 async function dragged(page, from, [x, y]) {
-  await page.mouse.move(...await middle(from));
+  await page.mouse.move(...(await middle(from)));
   await page.mouse.down();
   await page.mouse.move(x - 20, y, { steps: 3 });
   await page.mouse.move(x, y, { steps: 3 });
@@ -58,7 +63,8 @@ test("keys that are typed into the search of objects are text and nothing else",
 test("a field takes back what is typed in it, and what is saved has it", async ({ page }) => {
   await started();
   await opened(page, server.address);
-  const before = await textOf(page), inertia = page.getByLabel("inertia", { exact: true });
+  const before = await textOf(page),
+    inertia = page.getByLabel("inertia", { exact: true });
   await inertia.click();
   await page.keyboard.type("0.3");
   await page.keyboard.press("Control+z");
@@ -75,14 +81,19 @@ test("a field takes back what is typed in it, and what is saved has it", async (
   await expect.poll(() => textOf(page)).toBe(before);
 });
 
-test("a linkage with one input has its port and its connection, and what cannot be connected says why", async ({ page }) => {
+test("a linkage with one input has its port and its connection, and what cannot be connected says why", async ({
+  page,
+}) => {
   await started({ "press.json": "scenarios/kinetostatics/slider_crank.json" });
   await opened(page, server.address, "Objects");
   const scene = JSON.parse(await textOf(page)).objects;
-  const press = Object.keys(scene).find((id) => scene[id].kind === "linkage"), drive = scene[press].input;
+  const press = Object.keys(scene).find((id) => scene[id].kind === "linkage"),
+    drive = scene[press].input;
   expect(typeof drive).toBe("string");
-  const port = page.locator(`[data-input="${press}.input"]`), line = page.locator(`[data-edge="${press}.input"]`);
-  const [px, py] = await middle(port.locator("circle").last()), frame = await box(page, press).locator(".frame").boundingBox();
+  const port = page.locator(`[data-input="${press}.input"]`),
+    line = page.locator(`[data-edge="${press}.input"]`);
+  const [px, py] = await middle(port.locator("circle").last()),
+    frame = await box(page, press).locator(".frame").boundingBox();
   expect(Math.abs(px - frame.x)).toBeLessThan(3);
   expect(py).toBeGreaterThan(frame.y);
   await expect(line).toHaveCount(1);
@@ -107,8 +118,12 @@ test("a linkage with one input has its port and its connection, and what cannot 
 test("numbers are worked out, or marked and held back", async ({ page }) => {
   await started();
   await opened(page, server.address);
-  const inertia = page.getByLabel("inertia", { exact: true }), speed = page.getByLabel("speed", { exact: true });
-  const enter = async (own, text) => { await own.fill(text); await own.press("Enter"); };
+  const inertia = page.getByLabel("inertia", { exact: true }),
+    speed = page.getByLabel("speed", { exact: true });
+  const enter = async (own, text) => {
+    await own.fill(text);
+    await own.press("Enter");
+  };
   await enter(inertia, "2*3");
   await expect.poll(() => textOf(page)).toContain('"inertia": 6,');
   await enter(inertia, "1/4");
@@ -147,13 +162,26 @@ test("a fault at a field is as high as its words, and no style of reports reache
   await box(page, "shaft").click();
   const note = page.locator('[data-field="shaft.motion.speed"] .field-note');
   await expect(note).toContainText("furlong");
-  const { height } = await note.boundingBox(), lines = await note.evaluate((one) => one.getClientRects().length && one.scrollHeight / parseFloat(getComputedStyle(one).lineHeight));
+  const { height } = await note.boundingBox(),
+    lines = await note.evaluate(
+      (one) => one.getClientRects().length && one.scrollHeight / parseFloat(getComputedStyle(one).lineHeight),
+    );
   expect(height).toBeLessThan(30 * Math.ceil(lines));
   expect(await note.evaluate((one) => getComputedStyle(one).borderTopWidth)).toBe("0px");
   // Names that both style sheets begin a rule with are those that the interface means to share.
   const shared = await page.evaluate(() => {
     const heads = (sheet) => {
-      const names = new Set(), walk = (rules) => { for (const rule of rules) { if (rule.selectorText) for (const one of rule.selectorText.split(",")) { const match = /^(?:\.studio )?(?:[a-z]+)?\.([\w-]+)/.exec(one.trim()); if (match) names.add(match[1]); } if (rule.cssRules && !rule.selectorText) walk(rule.cssRules); } };
+      const names = new Set(),
+        walk = (rules) => {
+          for (const rule of rules) {
+            if (rule.selectorText)
+              for (const one of rule.selectorText.split(",")) {
+                const match = /^(?:\.studio )?(?:[a-z]+)?\.([\w-]+)/.exec(one.trim());
+                if (match) names.add(match[1]);
+              }
+            if (rule.cssRules && !rule.selectorText) walk(rule.cssRules);
+          }
+        };
       walk(sheet.cssRules);
       return names;
     };

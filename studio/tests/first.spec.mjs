@@ -6,7 +6,10 @@ import { opened, slider, textOf, undone, watched } from "./page.mjs";
 import { Server } from "./server.mjs";
 
 let server, wrong;
-const SCENES = { "two_masses.json": "scenarios/rocker/two_masses.json", "lift_off.json": "scenarios/valve_train/lift_off.json" };
+const SCENES = {
+  "two_masses.json": "scenarios/rocker/two_masses.json",
+  "lift_off.json": "scenarios/valve_train/lift_off.json",
+};
 test.beforeEach(async ({ page }) => {
   server = new Server(SCENES);
   wrong = watched(page);
@@ -55,7 +58,10 @@ test("a folder opens with its scenes, templates and scenarios, searched together
   await expect(shownScene(page)).toHaveValue("two_masses.json");
 });
 
-test("what was opened last comes first, is kept over a new start, and is gone with its file", async ({ page, context }) => {
+test("what was opened last comes first, is kept over a new start, and is gone with its file", async ({
+  page,
+  context,
+}) => {
   await atHome(page);
   await entry(page, "two_masses.json").click();
   await page.waitForSelector(".verdict");
@@ -88,8 +94,12 @@ test("what was opened last comes first, is kept over a new start, and is gone wi
 test("a template and a scenario become new files of the folder, and none is written over", async ({ page }) => {
   test.setTimeout(120_000);
   await atHome(page);
-  const asked = [], answers = [];
-  page.on("dialog", (dialog) => { asked.push(dialog.defaultValue()); void dialog.accept(answers.shift() ?? dialog.defaultValue()); });
+  const asked = [],
+    answers = [];
+  page.on("dialog", (dialog) => {
+    asked.push(dialog.defaultValue());
+    void dialog.accept(answers.shift() ?? dialog.defaultValue());
+  });
   await entry(page, "A lever on a cam").click();
   await expect(shownScene(page)).toHaveValue("lever.json");
   await expect(page.locator(".verdict")).toBeVisible();
@@ -120,7 +130,8 @@ test("a template and a scenario become new files of the folder, and none is writ
 test("the tour goes through the page by the keyboard, and Escape ends it", async ({ page }) => {
   test.setTimeout(120_000);
   await atHome(page);
-  const card = page.getByRole("dialog", { name: "tour" }), title = card.locator("h2");
+  const card = page.getByRole("dialog", { name: "tour" }),
+    title = card.locator("h2");
   await button(page, "New here? A tour of two minutes").click();
   await expect(title).toHaveText("Open a scene");
   await expect(button(page, "Next")).toBeDisabled();
@@ -130,7 +141,7 @@ test("the tour goes through the page by the keyboard, and Escape ends it", async
   await page.waitForSelector(".verdict");
   await expect(page.locator(".charts svg.dam-plot:visible").first()).toBeVisible();
   const seen = [];
-  for (let k = 0; k < 14 && await card.count(); k++) {
+  for (let k = 0; k < 14 && (await card.count()); k++) {
     const now = await title.textContent();
     seen.push(now);
     await expect(page.locator(".tour-light .tour-ring")).toBeVisible();
@@ -138,7 +149,19 @@ test("the tour goes through the page by the keyboard, and Escape ends it", async
     await page.keyboard.press("Enter");
     if (seen.length < 11) await expect(title).not.toHaveText(now);
   }
-  expect(seen).toEqual(["Move a number", "Read the verdict", "See it move", "Charts of an object", "Map two numbers", "The mechanism as a graph", "Its equations", "The text behind it all", "Figures", "Take it back", "Save"]);
+  expect(seen).toEqual([
+    "Move a number",
+    "Read the verdict",
+    "See it move",
+    "Charts of an object",
+    "Map two numbers",
+    "The mechanism as a graph",
+    "Its equations",
+    "The text behind it all",
+    "Figures",
+    "Take it back",
+    "Save",
+  ]);
   await expect(card).toHaveCount(0);
   // Seen: the first page does not urge any more; from the top bar it starts with the scene.
   await button(page, "Home").click();
@@ -179,14 +202,22 @@ test("expectations are shown, and made from the run as one step of undo", async 
   await expect(page.locator(".expectations .offer")).toContainText("±");
   await button(page, "Write it into the scene").click();
   await expect(summary).toContainText("12 of 12 met");
-  const text = await textOf(page), lines = text.split("\n");
+  const text = await textOf(page),
+    lines = text.split("\n");
   const line = lines.find((one) => one.includes("rocker.peak_speed"));
-  expect(line).toMatch(/^ {4}\{ "figure": "rocker\.peak_speed", "value": [\d.]+, "within": [1-9]?\d*e?-?[\d.]+, "source": "a run of dam [\d.]+" \}$/);
+  expect(line).toMatch(
+    /^ {4}\{ "figure": "rocker\.peak_speed", "value": [\d.]+, "within": [1-9]?\d*e?-?[\d.]+, "source": "a run of dam [\d.]+" \}$/,
+  );
   const { value, within } = JSON.parse(line);
   expect(Math.abs(value - server.run(text).objects.rocker.peak_speed)).toBeLessThanOrEqual(within);
   expect(within).toBeLessThan(1e-4 * value);
   // All else stands as it stood, but for the comma before.
-  expect(lines.filter((one) => one !== line).join("\n").replace(/\},(\n {2}\])/, "}$1")).toBe(before);
+  expect(
+    lines
+      .filter((one) => one !== line)
+      .join("\n")
+      .replace(/\},(\n {2}\])/, "}$1"),
+  ).toBe(before);
   await button(page, "Undo").click();
   await expect.poll(() => textOf(page)).toBe(before);
   await expect(button(page, "Undo")).toBeDisabled();
@@ -219,13 +250,19 @@ test("units are those that were chosen, and the text stays as it is", async ({ p
   test.setTimeout(120_000);
   await alone(page);
   await expect(page.locator(".verdict")).toContainText(/separates|lift off/);
-  const before = await textOf(page), deltaOn = (own) => own.locator(".figures tbody td span[title]").first(), delta = deltaOn(page);
+  const before = await textOf(page),
+    deltaOn = (own) => own.locator(".figures tbody td span[title]").first(),
+    delta = deltaOn(page);
   await expect(delta).toContainText("mrad");
-  const field = page.getByLabel("speed", { exact: true }), { delta_abs: size } = server.run(before).objects.rocker;
+  const field = page.getByLabel("speed", { exact: true }),
+    { delta_abs: size } = server.run(before).objects.rocker;
   await expect(field).toHaveValue("10 rev/s");
   const choose = async (name, unit, own = page) => {
     await button(own, "Units").click();
-    await own.getByRole("group", { name: "units shown" }).getByLabel(name, { exact: true }).selectOption({ label: unit });
+    await own
+      .getByRole("group", { name: "units shown" })
+      .getByLabel(name, { exact: true })
+      .selectOption({ label: unit });
     await own.keyboard.press("Escape");
     await expect(button(own, "Units")).toBeFocused();
   };
@@ -233,13 +270,15 @@ test("units are those that were chosen, and the text stays as it is", async ({ p
   await choose("angular speeds", "rpm");
   await expect(delta).toHaveText(/ deg$/);
   const shown = Number((await delta.textContent()).split(" ")[0]);
-  expect(shown).toBeCloseTo(size * 180 / Math.PI, 6);
+  expect(shown).toBeCloseTo((size * 180) / Math.PI, 6);
   await expect(page.locator(".charts svg.dam-plot:visible").filter({ hasText: /, deg/ }).first()).toBeVisible();
   await expect(page.locator(".charts")).not.toContainText("mrad");
   // The answer's sentence too, to as many digits as it has.
   await expect(page.locator(".status-line .verdict")).toContainText(/separates .*, [\d.]+ m?s in all/);
   await choose("times", "ms");
-  await expect(page.locator(".status-line .verdict")).toContainText(/separates .*, [\d.]+ ms in all, the longest [\d.]+ ms/);
+  await expect(page.locator(".status-line .verdict")).toContainText(
+    /separates .*, [\d.]+ ms in all, the longest [\d.]+ ms/,
+  );
   const told = /, ([\d.]+) ms in all/.exec(await page.locator(".status-line .verdict").textContent());
   const { separated_time: whole } = server.run(before).objects.rocker.pair;
   expect(Number(told[1])).toBeCloseTo(Number((1000 * whole).toPrecision(4)), 9);
@@ -274,12 +313,17 @@ test("what is printed is the report, of the scene as it is", async ({ page }) =>
   // At rest all charts have their numbers, in sight or not.
   await expect(page.locator(".charts .behind")).toHaveCount(0);
   await page.emulateMedia({ media: "print" });
-  for (const gone of [".top", ".pane-left", ".pane-middle", ".expectations .tools"]) await expect(page.locator(gone).first()).toBeHidden();
+  for (const gone of [".top", ".pane-left", ".pane-middle", ".expectations .tools"])
+    await expect(page.locator(gone).first()).toBeHidden();
   await expect(page.locator(".print-head h1")).toHaveText("Rocker of a cam mechanism, two masses");
   await expect(page.locator(".print-head")).toContainText("changes not saved");
-  for (const there of [".verdict", ".figures table", ".charts svg.dam-plot"]) await expect(page.locator(there).last()).toBeVisible();
+  for (const there of [".verdict", ".figures table", ".charts svg.dam-plot"])
+    await expect(page.locator(there).last()).toBeVisible();
   // All of it stands one below the other, and nothing is cut off.
-  const sizes = await page.evaluate(() => ({ answers: document.querySelector(".answers").getBoundingClientRect().height, last: document.querySelector(".charts").getBoundingClientRect().bottom }));
+  const sizes = await page.evaluate(() => ({
+    answers: document.querySelector(".answers").getBoundingClientRect().height,
+    last: document.querySelector(".charts").getBoundingClientRect().bottom,
+  }));
   expect(sizes.last).toBeGreaterThan(1500);
   expect(Math.abs(sizes.answers - sizes.last)).toBeLessThan(60);
   await page.emulateMedia({ media: null });

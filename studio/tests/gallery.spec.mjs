@@ -22,16 +22,34 @@ async function atHome(page) {
   await expect(gallery(page)).toBeVisible();
 }
 // Where the parts of the machine on a card are drawn at present.
-const places = (own) => own.locator(".card-picture svg").first().evaluate((svg) => JSON.stringify([...svg.querySelectorAll("g")].map((one) => { const { x, y, width, height } = one.getBoundingClientRect(); return [x, y, width, height].map((value) => Math.round(10 * value)); })));
-const time = (own) => own.locator(".card-picture svg").first().evaluate((svg) => svg.getCurrentTime());
+const places = (own) =>
+  own
+    .locator(".card-picture svg")
+    .first()
+    .evaluate((svg) =>
+      JSON.stringify(
+        [...svg.querySelectorAll("g")].map((one) => {
+          const { x, y, width, height } = one.getBoundingClientRect();
+          return [x, y, width, height].map((value) => Math.round(10 * value));
+        }),
+      ),
+    );
+const time = (own) =>
+  own
+    .locator(".card-picture svg")
+    .first()
+    .evaluate((svg) => svg.getCurrentTime());
 const isDrawn = (own) => expect(own).toHaveAttribute("data-picture", "drawn", { timeout: 30_000 });
 
 test("every template and every scenario has a card with its title, by topics and by words", async ({ page }) => {
   await atHome(page);
-  const cards = page.locator(".card"), topic = page.getByLabel("topic", { exact: true }), status = gallery(page).getByRole("status");
+  const cards = page.locator(".card"),
+    topic = page.getByLabel("topic", { exact: true }),
+    status = gallery(page).getByRole("status");
   await expect(cards).toHaveCount(98);
   await expect(status).toHaveText("98 scenes");
-  const own = card(page, "valve_train/lift_off"), scene = JSON.parse(server.read("scenarios/valve_train/lift_off.json"));
+  const own = card(page, "valve_train/lift_off"),
+    scene = JSON.parse(server.read("scenarios/valve_train/lift_off.json"));
   await expect(own.locator("b")).toHaveText(scene.name);
   await expect(own.locator(".card-words")).toHaveText(/\?$/);
   await topic.selectOption({ label: "Valve train" });
@@ -48,12 +66,24 @@ test("every template and every scenario has a card with its title, by topics and
   await expect(cards).toHaveCount(98);
 });
 
-test("the machine of a card in sight is drawn, moves under the pointer and the focus, and stands still else", async ({ page }) => {
+test("the machine of a card in sight is drawn, moves under the pointer and the focus, and stands still else", async ({
+  page,
+}) => {
   await atHome(page);
   const lever = card(page, "lever");
   await lever.scrollIntoViewIfNeeded();
   await isDrawn(lever);
-  expect(await lever.locator(".card-picture svg").first().evaluate((svg) => [...svg.querySelectorAll("path, circle, line")].filter((one) => one.checkVisibility({ visibilityProperty: true })).length)).toBeGreaterThan(5);
+  expect(
+    await lever
+      .locator(".card-picture svg")
+      .first()
+      .evaluate(
+        (svg) =>
+          [...svg.querySelectorAll("path, circle, line")].filter((one) =>
+            one.checkVisibility({ visibilityProperty: true }),
+          ).length,
+      ),
+  ).toBeGreaterThan(5);
   // It stands still.
   await page.mouse.move(2, 2);
   const still = await places(lever);
@@ -61,7 +91,13 @@ test("the machine of a card in sight is drawn, moves under the pointer and the f
   await lever.hover();
   await expect.poll(() => places(lever)).not.toBe(still);
   await page.mouse.move(2, 2);
-  await expect.poll(async () => { const before = await time(lever); await page.waitForTimeout(80); return await time(lever) - before; }).toBe(0);
+  await expect
+    .poll(async () => {
+      const before = await time(lever);
+      await page.waitForTimeout(80);
+      return (await time(lever)) - before;
+    })
+    .toBe(0);
   // By the keyboard.
   const before = await time(lever);
   await page.getByLabel("topic", { exact: true }).focus();
@@ -70,7 +106,13 @@ test("the machine of a card in sight is drawn, moves under the pointer and the f
   await expect.poll(() => time(lever)).toBeGreaterThan(before);
   await page.keyboard.press("Tab");
   await expect(lever).not.toBeFocused();
-  await expect.poll(async () => { const before = await time(lever); await page.waitForTimeout(80); return await time(lever) - before; }).toBe(0);
+  await expect
+    .poll(async () => {
+      const before = await time(lever);
+      await page.waitForTimeout(80);
+      return (await time(lever)) - before;
+    })
+    .toBe(0);
   // What is far from sight is not worked out.
   await expect(page.locator(".card").last()).toHaveAttribute("data-picture", "waits");
   await page.locator(".card").last().scrollIntoViewIfNeeded();
@@ -97,25 +139,41 @@ test("a card opens its scene as a new file", async ({ page }) => {
   await page.keyboard.press("Enter");
   await expect(page.locator(".top select[aria-label=scene]")).toHaveValue("valve_lash.json");
   await expect(page.locator(".verdict")).toBeVisible();
-  expect(JSON.parse(server.text("valve_lash.json")).objects).toEqual(JSON.parse(server.read("scenarios/valve_train/valve_lash.json")).objects);
+  expect(JSON.parse(server.text("valve_lash.json")).objects).toEqual(
+    JSON.parse(server.read("scenarios/valve_train/valve_lash.json")).objects,
+  );
 });
 
-for (const scheme of ["light", "dark"]) test(`cards have the colours of the page, ${scheme}`, async ({ page }) => {
-  await page.emulateMedia({ colorScheme: scheme });
-  await atHome(page);
-  for (const name of ["lever", "cam", "linkage"]) await isDrawn(card(page, name));
-  // Nothing of a picture reaches out of its card, and the page is no wider than the window.
-  expect(await page.evaluate(() => document.querySelector(".first-page").scrollWidth <= innerWidth)).toBe(true);
-  // Machines are as large as their cards let them be, and have no ground of their own.
-  const shares = await page.locator(".card[data-picture=drawn] .card-picture").evaluateAll((all) => all.map((one) => {
-    const place = one.getBoundingClientRect(), parts = [...one.querySelectorAll("path, circle, line")].filter((part) => part.checkVisibility({ visibilityProperty: true })).map((part) => part.getBoundingClientRect()).filter((box) => box.width + box.height > 0);
-    const [left, right] = [Math.min(...parts.map((part) => part.left)), Math.max(...parts.map((part) => part.right))], [top, bottom] = [Math.min(...parts.map((part) => part.top)), Math.max(...parts.map((part) => part.bottom))];
-    return Math.max((right - left) / place.width, (bottom - top) / place.height);
-  }));
-  for (const share of shares) { expect(share).toBeGreaterThan(0.6); expect(share).toBeLessThan(1.02); }
-  await expect(page.locator(".card-picture svg > rect:first-child")).toHaveCount(0);
-  // No name is there twice.
-  const ids = await page.evaluate(() => [...document.querySelectorAll("[id]")].map((one) => one.id));
-  expect(new Set(ids).size).toBe(ids.length);
-  if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/gallery-${scheme}.png` });
-});
+for (const scheme of ["light", "dark"])
+  test(`cards have the colours of the page, ${scheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme: scheme });
+    await atHome(page);
+    for (const name of ["lever", "cam", "linkage"]) await isDrawn(card(page, name));
+    // Nothing of a picture reaches out of its card, and the page is no wider than the window.
+    expect(await page.evaluate(() => document.querySelector(".first-page").scrollWidth <= innerWidth)).toBe(true);
+    // Machines are as large as their cards let them be, and have no ground of their own.
+    const shares = await page.locator(".card[data-picture=drawn] .card-picture").evaluateAll((all) =>
+      all.map((one) => {
+        const place = one.getBoundingClientRect(),
+          parts = [...one.querySelectorAll("path, circle, line")]
+            .filter((part) => part.checkVisibility({ visibilityProperty: true }))
+            .map((part) => part.getBoundingClientRect())
+            .filter((box) => box.width + box.height > 0);
+        const [left, right] = [
+            Math.min(...parts.map((part) => part.left)),
+            Math.max(...parts.map((part) => part.right)),
+          ],
+          [top, bottom] = [Math.min(...parts.map((part) => part.top)), Math.max(...parts.map((part) => part.bottom))];
+        return Math.max((right - left) / place.width, (bottom - top) / place.height);
+      }),
+    );
+    for (const share of shares) {
+      expect(share).toBeGreaterThan(0.6);
+      expect(share).toBeLessThan(1.02);
+    }
+    await expect(page.locator(".card-picture svg > rect:first-child")).toHaveCount(0);
+    // No name is there twice.
+    const ids = await page.evaluate(() => [...document.querySelectorAll("[id]")].map((one) => one.id));
+    expect(new Set(ids).size).toBe(ids.length);
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/gallery-${scheme}.png` });
+  });

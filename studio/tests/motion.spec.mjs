@@ -8,7 +8,9 @@ import { box, textOf, watched } from "./page.mjs";
 import { dam, Server } from "./server.mjs";
 
 let server, wrong;
-test.beforeEach(({ page }) => { wrong = watched(page); });
+test.beforeEach(({ page }) => {
+  wrong = watched(page);
+});
 test.afterEach(async () => {
   await server.end();
   expect(wrong).toEqual([]);
@@ -16,7 +18,10 @@ test.afterEach(async () => {
 const button = (page, name) => page.getByRole("button", { name, exact: true });
 const panel = (page) => page.locator("section.motion");
 const handle = (page, name) => panel(page).getByRole("slider", { name, exact: true });
-const settled = async (page) => { await textOf(page); await expect(panel(page)).toHaveAttribute("aria-busy", "false"); };
+const settled = async (page) => {
+  await textOf(page);
+  await expect(panel(page)).toHaveAttribute("aria-busy", "false");
+};
 const curve = (page, name = "displacement") => page.locator(`[data-curve="${name}"] .curve`).getAttribute("d");
 
 // A scene with an object chosen, whose motion is drawn.
@@ -37,19 +42,29 @@ const shownOf = async (page, scenario, id, change) => {
 async function cycleOf(page, id) {
   const file = join(server.base, "asked.json");
   writeFileSync(file, await textOf(page));
-  return JSON.parse(execFileSync(dam, ["law", "cycle", file, "--of", id, "--json", "--quiet"], { encoding: "utf8" })).cycle;
+  return JSON.parse(execFileSync(dam, ["law", "cycle", file, "--of", id, "--json", "--quiet"], { encoding: "utf8" }))
+    .cycle;
 }
 const stationsIn = async (page, id = "valve") => JSON.parse(await textOf(page)).objects[id].position.plan.stations;
-const middle = async (locator) => { const { x, y, width, height } = await locator.boundingBox(); return [x + width / 2, y + height / 2]; };
+const middle = async (locator) => {
+  const { x, y, width, height } = await locator.boundingBox();
+  return [x + width / 2, y + height / 2];
+};
 // Degrees of a turn as pixels of the drawing.
-const perDegree = async (page) => { const { width } = await panel(page).locator("svg").boundingBox(); return (width - 18) / 360; };
+const perDegree = async (page) => {
+  const { width } = await panel(page).locator("svg").boundingBox();
+  return (width - 18) / 360;
+};
 const noFaults = (page) => expect(page.locator(".faults button")).toHaveCount(0);
 
 test("a boundary is dragged in whole degrees, the curves follow, and undo takes back all of it", async ({ page }) => {
   await shownOf(page, "valve_train/valve_lash", "valve");
-  const before = await textOf(page), first = await curve(page), own = handle(page, "boundary between rise and dwell 1");
+  const before = await textOf(page),
+    first = await curve(page),
+    own = handle(page, "boundary between rise and dwell 1");
   await expect(own).toHaveAttribute("aria-valuetext", "70°");
-  const [x, y] = await middle(own), step = await perDegree(page);
+  const [x, y] = await middle(own),
+    step = await perDegree(page);
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x - 4 * step, y, { steps: 2 });
@@ -61,15 +76,18 @@ test("a boundary is dragged in whole degrees, the curves follow, and undo takes 
   const after = await textOf(page);
   expect(after).toBe(before.replace('"at": "70 deg"', '"at": "60 deg"'));
   // Figures are those of `dam law cycle`.
-  const speed = JSON.parse(after).objects.camshaft?.motion?.speed ?? Object.values(JSON.parse(after).objects).find((one) => one.kind === "drive").motion.speed;
-  const omega = /rpm/.test(speed) ? parseFloat(speed) * 2 * Math.PI / 60 : NaN, cycle = await cycleOf(page, "valve");
+  const speed =
+    JSON.parse(after).objects.camshaft?.motion?.speed ??
+    Object.values(JSON.parse(after).objects).find((one) => one.kind === "drive").motion.speed;
+  const omega = /rpm/.test(speed) ? (parseFloat(speed) * 2 * Math.PI) / 60 : NaN,
+    cycle = await cycleOf(page, "valve");
   const greatest = Math.max(cycle.acceleration.value, -cycle.deceleration.value) * omega ** 2;
   const shown = await panel(page).getByRole("group", { name: "greatest values" }).locator("dd").nth(1).textContent();
   expect(parseFloat(shown)).toBeCloseTo(Number(greatest.toPrecision(4)), 6);
   expect(shown).toMatch(/m\/s² at /);
   await noFaults(page);
   // It stays before its neighbour.
-  await page.mouse.move(...await middle(own));
+  await page.mouse.move(...(await middle(own)));
   await page.mouse.down();
   await page.mouse.move(x + 60 * step, y, { steps: 6 });
   await page.mouse.up();
@@ -83,7 +101,8 @@ test("a boundary is dragged in whole degrees, the curves follow, and undo takes 
 
 test("the keyboard alone moves boundaries and levels, in whole steps and in tenths", async ({ page }) => {
   await shownOf(page, "valve_train/valve_lash", "valve");
-  const before = await textOf(page), own = handle(page, "boundary between rise and dwell 1");
+  const before = await textOf(page),
+    own = handle(page, "boundary between rise and dwell 1");
   await handle(page, "boundary between dwell 2 and rise").focus();
   await page.keyboard.press("Tab");
   await expect(own).toBeFocused();
@@ -108,13 +127,17 @@ test("the keyboard alone moves boundaries and levels, in whole steps and in tent
   // The base is a level too, over the end of the cycle.
   await handle(page, "level of dwell 2").focus();
   await page.keyboard.press("ArrowUp");
-  await expect.poll(async () => (await stationsIn(page)).map((one) => one.displacement)).toEqual(["-0.1 mm", "10.7 mm", "10.7 mm", "-0.1 mm"]);
+  await expect
+    .poll(async () => (await stationsIn(page)).map((one) => one.displacement))
+    .toEqual(["-0.1 mm", "10.7 mm", "10.7 mm", "-0.1 mm"]);
   await noFaults(page);
 });
 
 test("a level is dragged by the mouse", async ({ page }) => {
   await shownOf(page, "valve_train/in_working_order", "valve");
-  const level = handle(page, "level of dwell 1"), [x, y] = await middle(level), before = await textOf(page);
+  const level = handle(page, "level of dwell 1"),
+    [x, y] = await middle(level),
+    before = await textOf(page);
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x, y + 30, { steps: 5 });
@@ -128,7 +151,9 @@ test("a level is dragged by the mouse", async ({ page }) => {
   expect(Math.abs((await middle(level))[1] - y)).toBeLessThan(60);
 });
 
-test("a cam keeps its properties: its start is a phase, its laws are apart, what it cannot be is a plan", async ({ page }) => {
+test("a cam keeps its properties: its start is a phase, its laws are apart, what it cannot be is a plan", async ({
+  page,
+}) => {
   await shownOf(page, "valve_train/in_working_order", "valve");
   const cam = async () => JSON.parse(await textOf(page)).objects.valve.position.cam;
   expect(await cam()).toMatchObject({ rise: "70 deg", dwell: "4 deg", return: "70 deg", phase: "-30 deg" });
@@ -144,7 +169,10 @@ test("a cam keeps its properties: its start is a phase, its laws are apart, what
   await panel(page).getByLabel("motion of rise").selectOption("cycloidal");
   await expect.poll(async () => (await cam()).law).toEqual({ rise: "cycloidal", return: "4-5-6-7" });
   await settled(page);
-  const peaks = async () => { const { acceleration, deceleration } = await cycleOf(page, "valve"); return [acceleration.value, deceleration.value]; };
+  const peaks = async () => {
+    const { acceleration, deceleration } = await cycleOf(page, "valve");
+    return [acceleration.value, deceleration.value];
+  };
   const before = await peaks();
   // The rise stops in its middle: no cam has that.
   await button(page, "split dwell 1").click();
@@ -155,13 +183,15 @@ test("a cam keeps its properties: its start is a phase, its laws are apart, what
   expect(plan.plan).toMatchObject({ period: "360 deg", phase: "-40 deg" });
   // It is the same motion.
   await settled(page);
-  (await peaks()).forEach((one, k) => expect(one / before[k]).toBeCloseTo(1, 9));
+  for (const [k, one] of (await peaks()).entries()) expect(one / before[k]).toBeCloseTo(1, 9);
   await expect(panel(page).locator(".segments li")).toHaveCount(5);
 });
 
 test("segments are split, removed and made dwells, and the scene stays right", async ({ page }) => {
   await shownOf(page, "cams/indexing_dwells", "table");
-  const text = await textOf(page), stations = () => stationsIn(page, "table"), list = panel(page).locator(".segments li");
+  const text = await textOf(page),
+    stations = () => stationsIn(page, "table"),
+    list = panel(page).locator(".segments li");
   await expect(list).toHaveCount(6);
   await button(page, "split rise 2").click();
   await expect(list).toHaveCount(7);
@@ -175,7 +205,9 @@ test("segments are split, removed and made dwells, and the scene stays right", a
   expect(await textOf(page)).toBe(text);
   // A rise that becomes a dwell takes the dwell behind it along.
   await panel(page).getByLabel("motion of rise 2").selectOption("dwell");
-  await expect.poll(async () => (await stations()).map((one) => one.displacement)).toEqual([0, "10 deg", "10 deg", "10 deg", "10 deg", 0]);
+  await expect
+    .poll(async () => (await stations()).map((one) => one.displacement))
+    .toEqual([0, "10 deg", "10 deg", "10 deg", "10 deg", 0]);
   await noFaults(page);
   await settled(page);
   await button(page, "remove dwell 1").click();
@@ -193,10 +225,14 @@ test("jumps of velocity and acceleration are marked, with their size in words", 
   await shownOf(page, "indexing/soft_shock", "lever");
   const words = panel(page).getByRole("list", { name: "matching at the boundaries" }).locator("li");
   await expect(words).toHaveCount(2);
-  const { jumps } = await cycleOf(page, "lever"), soft = jumps.filter((one) => one.order === 2), omega = 200 * 2 * Math.PI / 60;
+  const { jumps } = await cycleOf(page, "lever"),
+    soft = jumps.filter((one) => one.order === 2),
+    omega = (200 * 2 * Math.PI) / 60;
   for (const [k, jump] of soft.entries()) {
     const size = Number((Math.abs(jump.after - jump.before) * omega ** 2).toPrecision(4));
-    await expect(words.nth(k)).toContainText(`Acceleration jumps by ${size} rad/s² at ${Math.round(jump.at * 180 / Math.PI)}°`);
+    await expect(words.nth(k)).toContainText(
+      `Acceleration jumps by ${size} rad/s² at ${Math.round((jump.at * 180) / Math.PI)}°`,
+    );
   }
   await expect(panel(page).locator('.jump[data-order="2"]')).toHaveCount(2);
   await panel(page).getByLabel("motion of rise").selectOption("uniform");
@@ -207,8 +243,11 @@ test("jumps of velocity and acceleration are marked, with their size in words", 
 });
 
 test("a motion over time, of a drive, and one that an expression holds", async ({ page }) => {
-  const plan = '{ "plan": { "stations": [{ "at": 0, "displacement": 0, "motion": "cycloidal" }, { "at": "0.5 s", "displacement": "90 deg", "motion": "dwell" }, { "at": "1 s", "displacement": "90 deg" }] } }';
-  await shownOf(page, "valve_train/valve_lash", "camshaft", (text) => text.replace(/("kind": "drive", "motion": )\{[^}]*\}/, `$1${plan}`).replace('"70 deg"', '"2*35 deg"'));
+  const plan =
+    '{ "plan": { "stations": [{ "at": 0, "displacement": 0, "motion": "cycloidal" }, { "at": "0.5 s", "displacement": "90 deg", "motion": "dwell" }, { "at": "1 s", "displacement": "90 deg" }] } }';
+  await shownOf(page, "valve_train/valve_lash", "camshaft", (text) =>
+    text.replace(/("kind": "drive", "motion": )\{[^}]*\}/, `$1${plan}`).replace('"70 deg"', '"2*35 deg"'),
+  );
   const own = handle(page, "boundary between rise and dwell");
   await expect(own).toHaveAttribute("aria-valuetext", "0.5 s");
   await own.focus();
@@ -228,7 +267,11 @@ test("a motion over time, of a drive, and one that an expression holds", async (
 });
 
 test("an object without a motion is given one that is drawn on", async ({ page }) => {
-  await drawn(page, "valve_train/in_working_order", "valve", (text) => { const scene = JSON.parse(text); delete scene.objects.valve.position; return JSON.stringify(scene, null, 2); });
+  await drawn(page, "valve_train/in_working_order", "valve", (text) => {
+    const scene = JSON.parse(text);
+    delete scene.objects.valve.position;
+    return JSON.stringify(scene, null, 2);
+  });
   await expect(page.locator(".faults button").first()).toContainText("position");
   await button(page, "Draw the motion").focus();
   await page.keyboard.press("Enter");
@@ -236,30 +279,48 @@ test("an object without a motion is given one that is drawn on", async ({ page }
   await noFaults(page);
   await expect(panel(page).locator(".segments li")).toHaveCount(4);
   await expect(page.locator(".verdict")).toBeVisible();
-  expect(JSON.parse(await textOf(page)).objects.valve.position).toEqual({ cam: { lift: "10 mm", rise: "90 deg", dwell: "90 deg", return: "90 deg", law: "cycloidal" } });
+  expect(JSON.parse(await textOf(page)).objects.valve.position).toEqual({
+    cam: { lift: "10 mm", rise: "90 deg", dwell: "90 deg", return: "90 deg", law: "cycloidal" },
+  });
   await expect(panel(page).locator(".matching")).toContainText("are continuous");
 });
 
-for (const scheme of ["light", "dark"]) test(`the drawing fits its pane and is seen, ${scheme}`, async ({ page }) => {
-  await page.emulateMedia({ colorScheme: scheme });
-  await shownOf(page, "cams/indexing_dwells", "table");
-  const found = await page.evaluate(() => {
-    const pane = document.querySelector(".side"), svg = document.querySelector(".motion-curves").getBoundingClientRect();
-    const channel = (one) => (one /= 255) <= 0.03928 ? one / 12.92 : ((one + 0.055) / 1.055) ** 2.4;
-    const light = (colour) => { const [r, g, b] = colour.match(/[\d.]+/g).map(Number).map(channel); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-    const paper = light(getComputedStyle(document.body).backgroundColor);
-    const contrast = (selector, property) => { const own = light(getComputedStyle(document.querySelector(selector))[property]); return (Math.max(own, paper) + 0.05) / (Math.min(own, paper) + 0.05); };
-    return {
-      isWithin: pane.scrollWidth <= pane.clientWidth && svg.right <= pane.getBoundingClientRect().right, width: svg.width,
-      curves: [".c0", ".c1", ".c2", ".c3"].map((one) => contrast(one, "stroke")), words: contrast(".motion-curves .size", "fill"), knob: contrast(".boundary .knob", "stroke"),
-    };
+for (const scheme of ["light", "dark"])
+  test(`the drawing fits its pane and is seen, ${scheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme: scheme });
+    await shownOf(page, "cams/indexing_dwells", "table");
+    const found = await page.evaluate(() => {
+      const pane = document.querySelector(".side"),
+        svg = document.querySelector(".motion-curves").getBoundingClientRect();
+      const channel = (one) => ((one /= 255) <= 0.03928 ? one / 12.92 : ((one + 0.055) / 1.055) ** 2.4);
+      const light = (colour) => {
+        const [r, g, b] = colour
+          .match(/[\d.]+/g)
+          .map(Number)
+          .map(channel);
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const paper = light(getComputedStyle(document.body).backgroundColor);
+      const contrast = (selector, property) => {
+        const own = light(getComputedStyle(document.querySelector(selector))[property]);
+        return (Math.max(own, paper) + 0.05) / (Math.min(own, paper) + 0.05);
+      };
+      return {
+        isWithin: pane.scrollWidth <= pane.clientWidth && svg.right <= pane.getBoundingClientRect().right,
+        width: svg.width,
+        curves: [".c0", ".c1", ".c2", ".c3"].map((one) => contrast(one, "stroke")),
+        words: contrast(".motion-curves .size", "fill"),
+        knob: contrast(".boundary .knob", "stroke"),
+      };
+    });
+    expect(found.isWithin).toBe(true);
+    expect(found.width).toBeGreaterThan(230);
+    for (const one of [...found.curves, found.knob]) expect(one).toBeGreaterThan(3);
+    expect(found.words).toBeGreaterThan(4.5);
+    // Every control has a name.
+    const names = await panel(page)
+      .locator("button, select, [role=slider]")
+      .evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")));
+    expect(names.every((name) => name) && new Set(names).size === names.length).toBe(true);
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/motion-${scheme}.png` });
   });
-  expect(found.isWithin).toBe(true);
-  expect(found.width).toBeGreaterThan(230);
-  for (const one of [...found.curves, found.knob]) expect(one).toBeGreaterThan(3);
-  expect(found.words).toBeGreaterThan(4.5);
-  // Every control has a name.
-  const names = await panel(page).locator("button, select, [role=slider]").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")));
-  expect(names.every((name) => name) && new Set(names).size === names.length).toBe(true);
-  if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/motion-${scheme}.png` });
-});

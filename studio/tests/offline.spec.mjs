@@ -15,7 +15,9 @@ test.beforeEach(({ page }) => {
   server = new Server();
   wrong = watched(page);
   requests = [];
-  page.on("request", (request) => { if (/^(https?|wss?|ftp):/.test(request.url())) requests.push(request.url()); });
+  page.on("request", (request) => {
+    if (/^(https?|wss?|ftp):/.test(request.url())) requests.push(request.url());
+  });
 });
 test.afterEach(async () => {
   await server.end();
@@ -35,10 +37,12 @@ async function begun(page, scenario = "rocker/two_masses", name = "mine.json") {
   await expect(page.locator(".status-line .verdict")).toHaveCount(1);
 }
 // The answer on the screen is that of the program to the same text, to the last digits.
-const agrees = (page, id = "rocker") => expect(async () => {
-  const own = server.run(await textOf(page)).objects[id].delta_abs, shown = Number(await deltaOf(page, id));
-  expect(Math.abs(shown - own)).toBeLessThanOrEqual(1e-12 * Math.abs(own));
-}).toPass({ timeout: 30_000 });
+const agrees = (page, id = "rocker") =>
+  expect(async () => {
+    const own = server.run(await textOf(page)).objects[id].delta_abs,
+      shown = Number(await deltaOf(page, id));
+    expect(Math.abs(shown - own)).toBeLessThanOrEqual(1e-12 * Math.abs(own));
+  }).toPass({ timeout: 30_000 });
 
 test("a scenario opens from disk, and its answer follows a slider", async ({ page }) => {
   await begun(page);
@@ -77,7 +81,14 @@ test("what is saved is there when the page comes again, and what is not is offer
 
 test("a browser that has no room left is told so, and nothing goes without a question", async ({ page }) => {
   await begun(page);
-  await page.evaluate(() => { for (let size = 1 << 20; size >= 1; size >>= 1) try { for (let k = 0; ; k++) localStorage.setItem(`full ${size} ${k}`, "x".repeat(size)); } catch { /* Smaller pieces still fit. */ } });
+  await page.evaluate(() => {
+    for (let size = 1 << 20; size >= 1; size >>= 1)
+      try {
+        for (let k = 0; ; k++) localStorage.setItem(`full ${size} ${k}`, "x".repeat(size));
+      } catch {
+        /* Smaller pieces still fit. */
+      }
+  });
   await view(page, "Text");
   await page.getByLabel("text of the scene").click();
   await page.keyboard.press("Control+End");
@@ -85,7 +96,10 @@ test("a browser that has no room left is told so, and nothing goes without a que
   await button(page, "Save").click();
   await expect(page.locator(".notices")).toContainText("keeps nothing more");
   let asked = "";
-  page.once("dialog", (dialog) => { asked = dialog.type(); void dialog.accept(); });
+  page.once("dialog", (dialog) => {
+    asked = dialog.type();
+    void dialog.accept();
+  });
   await page.reload();
   expect(asked).toBe("beforeunload");
 });
@@ -122,9 +136,14 @@ test("a scene is passed on in an address and as a file", async ({ page, context 
   const text = await textOf(page);
   await context.grantPermissions(["clipboard-read", "clipboard-write"]).catch(() => {});
   let shared = "";
-  page.on("dialog", (dialog) => { shared = dialog.defaultValue(); void dialog.dismiss(); });
+  page.on("dialog", (dialog) => {
+    shared = dialog.defaultValue();
+    void dialog.dismiss();
+  });
   await button(page, "Share").click();
-  await expect.poll(async () => shared ||= await page.evaluate(() => navigator.clipboard.readText().catch(() => ""))).toContain("#scene=");
+  await expect
+    .poll(async () => (shared ||= await page.evaluate(() => navigator.clipboard.readText().catch(() => ""))))
+    .toContain("#scene=");
   const other = await context.newPage();
   await other.goto(shared);
   await expect(other.locator(".status-line .verdict")).toHaveCount(1);
@@ -136,7 +155,11 @@ test("a scene is passed on in an address and as a file", async ({ page, context 
   await other.goto(`${address}#scenario=rocker/ten_masses`);
   await other.reload();
   await expect(other.locator(".top select[aria-label=scene]")).toHaveValue("ten_masses.json");
-  await page.getByLabel("scene from a file").setInputFiles({ name: "from disk.json", mimeType: "application/json", buffer: Buffer.from(text.replace("10 rev/s", "11 rev/s")) });
+  await page.getByLabel("scene from a file").setInputFiles({
+    name: "from disk.json",
+    mimeType: "application/json",
+    buffer: Buffer.from(text.replace("10 rev/s", "11 rev/s")),
+  });
   await expect(page.locator(".top select[aria-label=scene]")).toHaveValue("from disk.json");
 });
 
@@ -158,12 +181,19 @@ test("faults, map and questions answer as with a server", async ({ page }) => {
 test("a run that takes long ends when the text changes, and a small memory is told", async ({ page }) => {
   await begun(page);
   await view(page, "Text");
-  const text = await textOf(page), long = text.replace(/"duration": 0.5/, "\"duration\": 1e5");
+  const text = await textOf(page),
+    long = text.replace(/"duration": 0.5/, '"duration": 1e5');
   expect(long).not.toBe(text);
   const put = async (text) => {
     await page.getByLabel("text of the scene").click();
     await page.keyboard.press("Control+a");
-    await page.evaluate((text) => { const data = new DataTransfer(); data.setData("text/plain", text); document.querySelector(".cm-content").dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true })); }, text);
+    await page.evaluate((text) => {
+      const data = new DataTransfer();
+      data.setData("text/plain", text);
+      document
+        .querySelector(".cm-content")
+        .dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+    }, text);
   };
   await put(long);
   await page.waitForTimeout(1000);
@@ -172,7 +202,9 @@ test("a run that takes long ends when the text changes, and a small memory is to
 });
 
 test("an old browser is told what it lacks", async ({ page }) => {
-  await page.addInitScript(() => { delete globalThis.WebAssembly; });
+  await page.addInitScript(() => {
+    delete globalThis.WebAssembly;
+  });
   await page.goto(address);
   await expect(page.locator("#studio")).toContainText("WebAssembly");
   // It ends there on purpose.

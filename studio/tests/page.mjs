@@ -13,9 +13,13 @@ export async function opened(page, address, view = "Text") {
 export function watched(page) {
   const wrong = [];
   // With DIST=1 the interface is the one that `npm run build` made, and not that of the program.
-  if (process.env.DIST) for (const name of ["studio.js", "studio.css"]) void page.route(`**/${name}`, (route) => route.fulfill({ path: join(root, "studio/dist", name) }));
+  if (process.env.DIST)
+    for (const name of ["studio.js", "studio.css"])
+      void page.route(`**/${name}`, (route) => route.fulfill({ path: join(root, "studio/dist", name) }));
   page.on("pageerror", (error) => wrong.push(error.message));
-  page.on("console", (message) => { if (message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text())) wrong.push(message.text()); });
+  page.on("console", (message) => {
+    if (message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text())) wrong.push(message.text());
+  });
   return wrong;
 }
 export const slider = (page, address) => page.getByLabel(`${address}, slider`, { exact: true });
@@ -24,8 +28,20 @@ export const textOf = async (page) => {
   await page.waitForFunction(() => !document.querySelector("[aria-busy=true]"));
   return held(page);
 };
-const held = (page) => page.evaluate(() => document.querySelector(".cm-content").cmTile?.view?.state.doc.toString() ?? document.querySelector(".cm-content").cmView.view.state.doc.toString());
-export const deltaOf = (page, id = "rocker") => page.locator(".figures tbody tr", { has: page.locator(`a[href="#object-${id}"]`) }).first().locator("td span[title]").first().getAttribute("title").then((text) => text.split(" ")[0]);
+const held = (page) =>
+  page.evaluate(
+    () =>
+      document.querySelector(".cm-content").cmTile?.view?.state.doc.toString() ??
+      document.querySelector(".cm-content").cmView.view.state.doc.toString(),
+  );
+export const deltaOf = (page, id = "rocker") =>
+  page
+    .locator(".figures tbody tr", { has: page.locator(`a[href="#object-${id}"]`) })
+    .first()
+    .locator("td span[title]")
+    .first()
+    .getAttribute("title")
+    .then((text) => text.split(" ")[0]);
 export const field = (page, address) => page.locator(`[id="field ${address}"]`);
 export const box = (page, id) => page.locator(`.object-box[data-id="${id}"]`);
 
@@ -39,7 +55,10 @@ export async function agrees(page, server, id = "rocker") {
 // Numbers from a seed.
 export function random(seed) {
   let state = seed;
-  return (most) => { state = (state * 1103515245 + 12345) % 2147483648; return Math.floor(state / 2147483648 * most); };
+  return (most) => {
+    state = (state * 1103515245 + 12345) % 2147483648;
+    return Math.floor((state / 2147483648) * most);
+  };
 }
 // Everything is undone. (The button may be behind what was just undone: a click on one that is
 // disabled does nothing here, where that of the mouse would wait for ever.)

@@ -1,16 +1,36 @@
 // A studio on a folder of its own, and the program beside it.
 
 import { execFileSync, spawn } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-export const dam = process.env.DAM ? resolve(process.env.INIT_CWD ?? ".", process.env.DAM) : join(root, "target/release/dam");
+export const dam = process.env.DAM
+  ? resolve(process.env.INIT_CWD ?? ".", process.env.DAM)
+  : join(root, "target/release/dam");
 export const browser = {
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+  args: [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+  ],
 };
 
 export class Server {
@@ -20,19 +40,40 @@ export class Server {
     mkdirSync(this.folder);
     for (const [name, from] of Object.entries(scenes)) copyFileSync(join(root, from), join(this.folder, name));
   }
-  path(name = "two_masses.json") { return join(this.folder, name); }
-  text(name) { return readFileSync(this.path(name), "utf8"); }
+  path(name = "two_masses.json") {
+    return join(this.folder, name);
+  }
+  text(name) {
+    return readFileSync(this.path(name), "utf8");
+  }
   // A file of the project.
-  read(name) { return readFileSync(join(root, name), "utf8"); }
-  write(text, name) { writeFileSync(this.path(name), text); }
+  read(name) {
+    return readFileSync(join(root, name), "utf8");
+  }
+  write(text, name) {
+    writeFileSync(this.path(name), text);
+  }
   // With its first scene open; with `home` the first page.
   async start({ port, home = false } = {}) {
-    const scene = home ? undefined : readdirSync(this.folder).filter((name) => name.endsWith(".json")).sort()[0];
-    const args = ["studio", scene ? this.path(scene) : this.folder, "--no-open", ...(port ? ["--port", String(port)] : [])];
+    const scene = home
+      ? undefined
+      : readdirSync(this.folder)
+          .filter((name) => name.endsWith(".json"))
+          .sort()[0];
+    const args = [
+      "studio",
+      scene ? this.path(scene) : this.folder,
+      "--no-open",
+      ...(port ? ["--port", String(port)] : []),
+    ];
     this.child = spawn(dam, args, { env: { ...process.env, XDG_STATE_HOME: join(this.base, "state") } });
     this.address = await new Promise((found, failed) => {
       let told = "";
-      this.child.stderr.on("data", (more) => { told += more; const match = /http:\S+/.exec(told); if (match) found(match[0]); });
+      this.child.stderr.on("data", (more) => {
+        told += more;
+        const match = /http:\S+/.exec(told);
+        if (match) found(match[0]);
+      });
       this.child.on("exit", () => failed(new Error(told)));
     });
     return this.address;
@@ -40,22 +81,36 @@ export class Server {
   // Names of the pinned runs that are kept.
   pinned() {
     const folder = join(this.base, "state/dam/pins");
-    const files = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith(".json") && !name.startsWith(".")) : [];
+    const files = existsSync(folder)
+      ? readdirSync(folder).filter((name) => name.endsWith(".json") && !name.startsWith("."))
+      : [];
     return files.flatMap((name) => JSON.parse(readFileSync(join(folder, name), "utf8")).pins.map((pin) => pin.name));
   }
-  remove(name) { rmSync(this.path(name)); }
+  remove(name) {
+    rmSync(this.path(name));
+  }
   async kill() {
     const gone = new Promise((done) => this.child.once("exit", done));
     this.child.kill("SIGKILL");
     await gone;
   }
-  async end() { if (this.child?.exitCode === null && this.child.signalCode === null) await this.kill(); rmSync(this.base, { recursive: true, force: true }); }
+  async end() {
+    if (this.child?.exitCode === null && this.child.signalCode === null) await this.kill();
+    rmSync(this.base, { recursive: true, force: true });
+  }
   // The figures of the program for a text.
   run(text) {
     const file = join(this.base, "asked.json");
     writeFileSync(file, text);
     let out;
-    try { out = execFileSync(dam, ["run", file, "--json", "--quiet"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }); } catch (error) { out = error.stdout; }
+    try {
+      out = execFileSync(dam, ["run", file, "--json", "--quiet"], {
+        encoding: "utf8",
+        stdio: ["ignore", "pipe", "ignore"],
+      });
+    } catch (error) {
+      out = error.stdout;
+    }
     return JSON.parse(out);
   }
 }

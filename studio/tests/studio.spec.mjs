@@ -33,7 +33,9 @@ test("a scene opens with its answer, which is that of dam run", async ({ page })
   await expect(page.locator(".machine output")).not.toHaveText("t 0 s");
 });
 
-test("a fault is told at its place, the answer stays as a stale one, and mending it makes it good", async ({ page }) => {
+test("a fault is told at its place, the answer stays as a stale one, and mending it makes it good", async ({
+  page,
+}) => {
   await opened(page);
   const line = page.locator(".cm-line", { hasText: '"kind": "rocker"' });
   await line.click();
@@ -52,8 +54,10 @@ test("a fault is told at its place, the answer stays as a stale one, and mending
 
 test("a slider changes its number alone, figures follow, and one drag is one step", async ({ page }) => {
   await opened(page);
-  const before = server.text(), first = await deltaOf(page);
-  const bar = slider(page, "rocker.inertia"), box = await bar.boundingBox();
+  const before = server.text(),
+    first = await deltaOf(page);
+  const bar = slider(page, "rocker.inertia"),
+    box = await bar.boundingBox();
   const at = (share) => [box.x + 8 + share * (box.width - 16), box.y + box.height / 2];
   await page.mouse.move(...at(1 / 3));
   await page.mouse.down();
@@ -61,7 +65,10 @@ test("a slider changes its number alone, figures follow, and one drag is one ste
   await page.mouse.up();
   await expect.poll(() => deltaOf(page)).not.toBe(first);
   const text = await textOf(page);
-  const lines = text.split("\n").map((line, k) => [line, before.split("\n")[k]]).filter(([a, b]) => a !== b);
+  const lines = text
+    .split("\n")
+    .map((line, k) => [line, before.split("\n")[k]])
+    .filter(([a, b]) => a !== b);
   expect(lines).toHaveLength(1);
   expect(lines[0][0].replace(/"inertia": [\d.e-]+/, "")).toBe(lines[0][1].replace(/"inertia": [\d.e-]+/, ""));
   await agrees(page);
@@ -99,7 +106,9 @@ test("random edits and as many undos give the file back byte for byte", async ({
   server.write(server.text().replaceAll("\n", "\r\n"));
   await opened(page);
   const before = server.text();
-  const sliders = await page.locator(".slider input[type=range]").evaluateAll((all) => all.map((one) => one.ariaLabel).filter((name) => !name.startsWith("run")));
+  const sliders = await page
+    .locator(".slider input[type=range]")
+    .evaluateAll((all) => all.map((one) => one.ariaLabel).filter((name) => !name.startsWith("run")));
   for (let k = 0; k < 40; k++) {
     if (below(2)) {
       const bar = page.getByLabel(sliders[below(sliders.length)], { exact: true });
@@ -144,7 +153,15 @@ test("a server that is killed loses nothing, on another port neither", async ({ 
   await page.getByLabel("inertia", { exact: true }).press("Enter");
   await expect.poll(() => textOf(page)).toContain('"inertia": 0.17');
   const text = await textOf(page);
-  await expect.poll(() => { try { return readdirSync(join(server.base, "state/dam/drafts")).filter((one) => one.endsWith(".json")).length; } catch { return 0; } }).toBe(1);
+  await expect
+    .poll(() => {
+      try {
+        return readdirSync(join(server.base, "state/dam/drafts")).filter((one) => one.endsWith(".json")).length;
+      } catch {
+        return 0;
+      }
+    })
+    .toBe(1);
   const port = new URL(server.address).port;
   await server.kill();
   await expect(page.getByRole("alert")).toContainText("The server is gone");
@@ -190,11 +207,16 @@ test("the map marks where the scene stands, and a click in it sets both numbers"
   expect(before).toMatch(/^M/);
   // What stands above the map may still take or leave a line.
   let box = null;
-  await expect.poll(async () => {
-    const last = box;
-    box = await page.locator(".map-place .pad").boundingBox();
-    return last?.y === box.y;
-  }, { intervals: [300] }).toBe(true);
+  await expect
+    .poll(
+      async () => {
+        const last = box;
+        box = await page.locator(".map-place .pad").boundingBox();
+        return last?.y === box.y;
+      },
+      { intervals: [300] },
+    )
+    .toBe(true);
   await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.75 * box.height);
   await expect.poll(() => cross.getAttribute("d")).not.toBe(before);
   const text = await textOf(page);
@@ -221,11 +243,29 @@ test("the keyboard reaches everything", async ({ page }) => {
   const reached = new Set();
   await page.locator("body").press("Tab");
   for (let k = 0; k < 80; k++) {
-    reached.add(await page.evaluate(() => { const at = document.activeElement; return at?.getAttribute("aria-label") ?? at?.textContent?.slice(0, 30) ?? ""; }));
-    if (await page.evaluate(() => document.activeElement?.closest(".cm-editor") !== null && document.activeElement !== null)) await page.keyboard.press("Escape");
+    reached.add(
+      await page.evaluate(() => {
+        const at = document.activeElement;
+        return at?.getAttribute("aria-label") ?? at?.textContent?.slice(0, 30) ?? "";
+      }),
+    );
+    if (
+      await page.evaluate(
+        () => document.activeElement?.closest(".cm-editor") !== null && document.activeElement !== null,
+      )
+    )
+      await page.keyboard.press("Escape");
     await page.keyboard.press("Tab");
   }
-  for (const name of ["scene", "Save as…", "text of the scene", "rocker.inertia, slider", "Map over two numbers", "play"]) expect([...reached]).toContain(name);
+  for (const name of [
+    "scene",
+    "Save as…",
+    "text of the scene",
+    "rocker.inertia, slider",
+    "Map over two numbers",
+    "play",
+  ])
+    expect([...reached]).toContain(name);
   await slider(page, "rocker.inertia").focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Control+z");

@@ -7,7 +7,12 @@
 import type { Link } from "../link";
 
 export type From = { template: string } | { scenario: string };
-interface Wanted { from: From; link: Link; isSeen: () => boolean; done: (svg: string | null) => void }
+interface Wanted {
+  from: From;
+  link: Link;
+  isSeen: () => boolean;
+  done: (svg: string | null) => void;
+}
 
 // Pictures by their scenes; null: there is none.
 const known = new Map<string, string | null>();
@@ -18,7 +23,10 @@ let working = false;
 // passed over, and may ask again.
 export function wanted(one: Wanted): void {
   const found = known.get(JSON.stringify(one.from));
-  if (found !== undefined) { one.done(found); return; }
+  if (found !== undefined) {
+    one.done(found);
+    return;
+  }
   waiting.push(one);
   if (!working) void work();
 }
@@ -29,8 +37,11 @@ async function work(): Promise<void> {
     if (!one.isSeen()) continue;
     const key = JSON.stringify(one.from);
     try {
-      if (!known.has(key)) known.set(key, await drawn(await one.link.get(`/api/preview?${new URLSearchParams({ from: key })}`)));
-    } catch { known.set(key, null); }
+      if (!known.has(key))
+        known.set(key, await drawn(await one.link.get(`/api/preview?${new URLSearchParams({ from: key })}`)));
+    } catch {
+      known.set(key, null);
+    }
     one.done(known.get(key) ?? null);
     // Whatever the user does comes between.
     await new Promise((done) => setTimeout(done));
@@ -38,7 +49,11 @@ async function work(): Promise<void> {
   working = false;
 }
 
-interface Preview { moving: Moving; pictures: string; columns: (number | null)[][] }
+interface Preview {
+  moving: Moving;
+  pictures: string;
+  columns: (number | null)[][];
+}
 
 let count = 0;
 async function drawn(preview: Preview | null): Promise<string | null> {
@@ -50,12 +65,15 @@ async function drawn(preview: Preview | null): Promise<string | null> {
   // It is measured where it stands.
   document.querySelector(".first-page")?.append(figure);
   try {
-    const playing = machine.player(figure, moving, { columns, plots: [] }), svg = playing?.running() ?? null;
+    const playing = machine.player(figure, moving, { columns, plots: [] }),
+      svg = playing?.running() ?? null;
     playing?.stop();
     if (!svg) return null;
     figure.innerHTML = svg;
     return apart(await near(figure.querySelector("svg")!), `card-${++count}-`);
-  } finally { figure.remove(); }
+  } finally {
+    figure.remove();
+  }
 }
 
 // Holds a picture at its beginning. Before it was drawn once, its clock does not go and nothing of it
@@ -69,7 +87,8 @@ export async function begun(svg: SVGSVGElement): Promise<void> {
 }
 
 // Instants at which it is measured how far a machine reaches, and the room around it (pixels).
-const INSTANTS = 24, ROOM = 8;
+const INSTANTS = 24,
+  ROOM = 8;
 
 // The machine alone, without words that nobody could read on a card, as near as it fits.
 async function near(svg: SVGSVGElement): Promise<string> {
@@ -78,14 +97,26 @@ async function near(svg: SVGSVGElement): Promise<string> {
   let [left, top, right, foot] = [Infinity, Infinity, -Infinity, -Infinity];
   await begun(svg);
   for (let k = 0; k < INSTANTS; k++) {
-    svg.setCurrentTime(seconds * k / INSTANTS);
+    svg.setCurrentTime((seconds * k) / INSTANTS);
     const { x, y, width, height } = svg.getBBox();
-    [left, top, right, foot] = [Math.min(left, x), Math.min(top, y), Math.max(right, x + width), Math.max(foot, y + height)];
+    [left, top, right, foot] = [
+      Math.min(left, x),
+      Math.min(top, y),
+      Math.max(right, x + width),
+      Math.max(foot, y + height),
+    ];
   }
-  if (right > left && foot > top) svg.setAttribute("viewBox", [left - ROOM, top - ROOM, right - left + 2 * ROOM, foot - top + 2 * ROOM].map((one) => one.toFixed(1)).join(" "));
+  if (right > left && foot > top)
+    svg.setAttribute(
+      "viewBox",
+      [left - ROOM, top - ROOM, right - left + 2 * ROOM, foot - top + 2 * ROOM].map((one) => one.toFixed(1)).join(" "),
+    );
   return svg.outerHTML;
 }
 
 // Names within a picture are its own.
 const apart = (svg: string, prefix: string): string =>
-  svg.replace(/\bid="([^"]+)"/g, `id="${prefix}$1"`).replace(/url\((&quot;|"|')?#([^)"'&]+)(&quot;|"|')?\)/g, `url(#${prefix}$2)`).replace(/href="#([^"]+)"/g, `href="#${prefix}$1"`);
+  svg
+    .replace(/\bid="([^"]+)"/g, `id="${prefix}$1"`)
+    .replace(/url\((&quot;|"|')?#([^)"'&]+)(&quot;|"|')?\)/g, `url(#${prefix}$2)`)
+    .replace(/href="#([^"]+)"/g, `href="#${prefix}$1"`);

@@ -1,10 +1,16 @@
 // A scene's text with its history, as the server keeps it for its windows: here for one.
 
-import { ChangeSet, Text } from "@codemirror/state";
+import { ChangeSet, type Text } from "@codemirror/state";
 
 // Which edits are one step: those of a drag, and typing that goes on at the same place.
 type Group = { drag: number } | "typing" | "alone";
-interface Step { before: Text; all: ChangeSet; group: Group; time: number; end: number }
+interface Step {
+  before: Text;
+  all: ChangeSet;
+  group: Group;
+  time: number;
+  end: number;
+}
 
 // Typing that stops for so long begins a new step (ms).
 const PAUSE = 600;
@@ -17,21 +23,45 @@ export class Document {
 
   constructor(private content: Text) {}
 
-  get text(): string { return this.content.toString(); }
-  get undo(): boolean { return this.done.length > 0; }
-  get redo(): boolean { return this.undone.length > 0; }
+  get text(): string {
+    return this.content.toString();
+  }
+  get undo(): boolean {
+    return this.done.length > 0;
+  }
+  get redo(): boolean {
+    return this.undone.length > 0;
+  }
 
   // Takes an edit of the newest version.
   take(json: unknown, drag: number | undefined): void {
-    const changes = ChangeSet.fromJSON(json), before = this.content, time = performance.now();
+    const changes = ChangeSet.fromJSON(json),
+      before = this.content,
+      time = performance.now();
     const after = changes.apply(before);
     if (after.length > LARGEST) throw new Error("the scene would be larger than 1 MB");
-    let start = -1, end = 0, lines = false, pieces = 0;
-    changes.iterChanges((_, to, from, until, insert) => { pieces++; if (start < 0) start = from; end = until; lines ||= insert.lines > 1; void to; });
-    const last = this.done.at(-1), group: Group = drag === undefined ? "typing" : { drag };
-    const isSame = last !== undefined && (typeof group === "object"
-      ? typeof last.group === "object" && last.group.drag === group.drag
-      : last.group === "typing" && pieces === 1 && !lines && time - last.time < PAUSE && Math.abs(start - last.end) <= 1);
+    let start = -1,
+      end = 0,
+      lines = false,
+      pieces = 0;
+    changes.iterChanges((_, to, from, until, insert) => {
+      pieces++;
+      if (start < 0) start = from;
+      end = until;
+      lines ||= insert.lines > 1;
+      void to;
+    });
+    const last = this.done.at(-1),
+      group: Group = drag === undefined ? "typing" : { drag };
+    const isSame =
+      last !== undefined &&
+      (typeof group === "object"
+        ? typeof last.group === "object" && last.group.drag === group.drag
+        : last.group === "typing" &&
+          pieces === 1 &&
+          !lines &&
+          time - last.time < PAUSE &&
+          Math.abs(start - last.end) <= 1);
     this.content = after;
     this.version++;
     this.undone = [];
@@ -49,7 +79,8 @@ export class Document {
 
   // Puts another text in its place, as one step.
   replace(text: string): unknown {
-    const before = this.content, all = ChangeSet.of({ from: 0, to: before.length, insert: text }, before.length);
+    const before = this.content,
+      all = ChangeSet.of({ from: 0, to: before.length, insert: text }, before.length);
     this.undone = [];
     this.done.push({ before, all, group: "alone", time: 0, end: 0 });
     return this.make(all);

@@ -33,12 +33,15 @@ export async function packedScene(text: string): Promise<string> {
 export async function unpackedScene(letters: string): Promise<string> {
   const reader = unpacked(bytes(letters.replaceAll("-", "+").replaceAll("_", "/")), "deflate-raw").body!.getReader();
   const parts: Uint8Array[] = [];
-  for (let size = 0; ;) {
+  for (let size = 0; ; ) {
     const { done, value } = await reader.read();
     if (done) break;
     parts.push(value);
     size += value.length;
-    if (size > 1 << 20) { void reader.cancel(); throw new Error("the scene is larger than 1 MB"); }
+    if (size > 1 << 20) {
+      void reader.cancel();
+      throw new Error("the scene is larger than 1 MB");
+    }
   }
   return new TextDecoder("utf-8", { fatal: true }).decode(await new Blob(parts as BlobPart[]).arrayBuffer());
 }

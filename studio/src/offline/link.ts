@@ -12,10 +12,16 @@ import { Shelf } from "./shelf";
 // The only window.
 const WINDOW = "1";
 // How often a text that is not saved is kept (ms); how long nothing newer comes before a map is made finer.
-const OFTEN = 1000, REST = 20;
+const OFTEN = 1000,
+  REST = 20;
 const LEVELS = 3;
 
-interface Pin { name: string; text: string; hash: string; judged: boolean }
+interface Pin {
+  name: string;
+  text: string;
+  hash: string;
+  judged: boolean;
+}
 
 export class Tab implements Link {
   readonly known = true;
@@ -52,18 +58,32 @@ export class Tab implements Link {
     const module = kernel();
     addEventListener("storage", () => this.look());
     // What is not kept yet is, or the browser asks before it goes.
-    addEventListener("beforeunload", (event) => { if (!this.keep() || !this.shelf.isLasting) event.preventDefault(); });
-    const hear = (found: { text: string } | { answer: ArrayBuffer }) => { if ("answer" in found) this.answer(found.answer); else this.told(JSON.parse(found.text)); };
-    const failed = (words: string) => this.tell({ type: "failed", version: this.document?.version ?? 0, message: words });
+    addEventListener("beforeunload", (event) => {
+      if (!this.keep() || !this.shelf.isLasting) event.preventDefault();
+    });
+    const hear = (found: { text: string } | { answer: ArrayBuffer }) => {
+      if ("answer" in found) this.answer(found.answer);
+      else this.told(JSON.parse(found.text));
+    };
+    const failed = (words: string) =>
+      this.tell({ type: "failed", version: this.document?.version ?? 0, message: words });
     this.runs = new Desk(module, hear, failed, true);
     this.maps = new Desk(module, hear, failed);
-    this.questions = new Desk(module, hear, (words) => this.tell({ type: "question", version: this.document?.version ?? 0, question: this.question, refused: words }));
-    this.asides = new Desk(module, hear, (words, request) => this.reply({ type: "reply", number: request.number, error: words }));
+    this.questions = new Desk(module, hear, (words) =>
+      this.tell({ type: "question", version: this.document?.version ?? 0, question: this.question, refused: words }),
+    );
+    this.asides = new Desk(module, hear, (words, request) =>
+      this.reply({ type: "reply", number: request.number, error: words }),
+    );
   }
 
-  get isOpen(): boolean { return this.connected; }
+  get isOpen(): boolean {
+    return this.connected;
+  }
 
-  on(type: string, act: (message: Message) => void): void { this.heard.set(type, act); }
+  on(type: string, act: (message: Message) => void): void {
+    this.heard.set(type, act);
+  }
 
   connect(): void {
     void this.shared().then((scene) => {
@@ -116,17 +136,31 @@ export class Tab implements Link {
     return free;
   }
 
-  private tell(message: Message): void { this.heard.get(message.type)?.(message); }
+  private tell(message: Message): void {
+    this.heard.get(message.type)?.(message);
+  }
 
-  private error(message: string): void { queueMicrotask(() => this.tell({ type: "error", message })); }
+  private error(message: string): void {
+    queueMicrotask(() => this.tell({ type: "error", message }));
+  }
 
   // What a worker found.
   private told(message: Message): void {
-    if (message.type === "reply") { this.reply(message); return; }
-    if (message.type === "source") { this.run = { ...this.asked, hash: message.hash, judged: message.judged }; return; }
+    if (message.type === "reply") {
+      this.reply(message);
+      return;
+    }
+    if (message.type === "source") {
+      this.run = { ...this.asked, hash: message.hash, judged: message.judged };
+      return;
+    }
     if (message.type === "map" && !message.refused) {
       clearTimeout(this.finer);
-      if (this.level + 1 < LEVELS) this.finer = setTimeout(() => { this.level++; this.chart(); }, REST);
+      if (this.level + 1 < LEVELS)
+        this.finer = setTimeout(() => {
+          this.level++;
+          this.chart();
+        }, REST);
     }
     this.tell(message);
   }
@@ -134,47 +168,99 @@ export class Tab implements Link {
   private reply({ number, value, error }: Message): void {
     const waiting = this.replies.get(number);
     this.replies.delete(number);
-    if (error === undefined) waiting?.done(value); else waiting?.failed(new Error(error));
+    if (error === undefined) waiting?.done(value);
+    else waiting?.failed(new Error(error));
   }
 
   send(message: Message): boolean {
-    try { this.obey(message); } catch (error) { this.error((error as Error).message); }
+    try {
+      this.obey(message);
+    } catch (error) {
+      this.error((error as Error).message);
+    }
     return true;
   }
 
   private obey(message: Message): void {
     switch (message.type) {
-      case "open": this.open(message.scene); return;
-      case "new": void this.begin(message.scene, message.from); return;
-      case "ping": queueMicrotask(() => this.tell({ type: "pong", number: message.number })); return;
-      case "keep": return;
-      case "shown": this.runs.taken(); return;
-      case "map_shown": case "question_shown": return;
-      case "sight": this.runs.submit({ ask: "sight", charts: message.charts }, false); return;
+      case "open":
+        this.open(message.scene);
+        return;
+      case "new":
+        void this.begin(message.scene, message.from);
+        return;
+      case "ping":
+        queueMicrotask(() => this.tell({ type: "pong", number: message.number }));
+        return;
+      case "keep":
+        return;
+      case "shown":
+        this.runs.taken();
+        return;
+      case "map_shown":
+      case "question_shown":
+        return;
+      case "sight":
+        this.runs.submit({ ask: "sight", charts: message.charts }, false);
+        return;
     }
     const document = this.document;
     if (!document) throw new Error("no scene is open");
     switch (message.type) {
-      case "push": this.push(document, message); return;
-      case "undo": case "redo": this.updated(document, document.version, [document.step(message.type === "undo")], "0"); return;
-      case "save": this.save(document); return;
-      case "save_as": this.saveAs(document, message.scene); return;
-      case "reload": case "keep_mine": this.settle(document, message.type === "reload"); return;
-      case "draft": this.decide(document, message.restore); return;
-      case "map": this.map = message.question; this.level = 0; this.chart(); return;
-      case "question": this.question = message.question; this.inquire(); return;
-      case "over": this.over = message.signals; this.compute(); return;
-      case "pin": this.pin(message.name); return;
-      case "unpin": this.pins = this.pins.filter((_, at) => at !== message.pin); this.compute(); return;
-      case "rename": this.pins = this.pins.map((pin, at) => at === message.pin ? { ...pin, name: message.name } : pin); this.compute(); return;
-      default: throw new Error(`“${message.type}” is not known here`);
+      case "push":
+        this.push(document, message);
+        return;
+      case "undo":
+      case "redo":
+        this.updated(document, document.version, [document.step(message.type === "undo")], "0");
+        return;
+      case "save":
+        this.save(document);
+        return;
+      case "save_as":
+        this.saveAs(document, message.scene);
+        return;
+      case "reload":
+      case "keep_mine":
+        this.settle(document, message.type === "reload");
+        return;
+      case "draft":
+        this.decide(document, message.restore);
+        return;
+      case "map":
+        this.map = message.question;
+        this.level = 0;
+        this.chart();
+        return;
+      case "question":
+        this.question = message.question;
+        this.inquire();
+        return;
+      case "over":
+        this.over = message.signals;
+        this.compute();
+        return;
+      case "pin":
+        this.pin(message.name);
+        return;
+      case "unpin":
+        this.pins = this.pins.filter((_, at) => at !== message.pin);
+        this.compute();
+        return;
+      case "rename":
+        this.pins = this.pins.map((pin, at) => (at === message.pin ? { ...pin, name: message.name } : pin));
+        this.compute();
+        return;
+      default:
+        throw new Error(`“${message.type}” is not known here`);
     }
   }
 
   private open(name: string): void {
     const text = this.shelf.text(name);
     if (text === null) throw new Error("there is no such scene in this browser");
-    const unix = text.replaceAll("\r\n", "\n"), draft = this.shelf.draft(name);
+    const unix = text.replaceAll("\r\n", "\n"),
+      draft = this.shelf.draft(name);
     this.name = name;
     this.document = new Document(Text.of(unix.split("\n")));
     this.saved = unix;
@@ -193,20 +279,33 @@ export class Tab implements Link {
 
   private async begin(name: string, from: unknown): Promise<void> {
     const refused = this.shelf.refusal(name);
-    if (refused) { this.error(refused); return; }
+    if (refused) {
+      this.error(refused);
+      return;
+    }
     const title = JSON.stringify(name.replace(/\.json$/, "").replaceAll(/[_-]/g, " "));
     const empty = `{\n  "dam": 1,\n  "name": ${title},\n  "objects": {\n  },\n  "run": { "duration": "1 s" }\n}\n`;
     try {
       this.shelf.save(name, from ? await this.aside({ ask: "begin", from }) : empty);
       this.open(name);
-    } catch (error) { this.error((error as Error).message); }
+    } catch (error) {
+      this.error((error as Error).message);
+    }
   }
 
   private push(document: Document, { version, updates }: Message): void {
     if (this.isAsking) throw new Error("decide about the draft first");
-    if (version !== document.version) { queueMicrotask(() => this.tell({ type: "late", version: document.version })); return; }
+    if (version !== document.version) {
+      queueMicrotask(() => this.tell({ type: "late", version: document.version }));
+      return;
+    }
     for (const one of updates) document.take(one.changes, one.drag);
-    this.updated(document, version, updates.map((one: any) => one.changes), WINDOW);
+    this.updated(
+      document,
+      version,
+      updates.map((one: any) => one.changes),
+      WINDOW,
+    );
   }
 
   private updated(document: Document, version: number, changes: unknown[], by: string): void {
@@ -222,14 +321,29 @@ export class Tab implements Link {
   }
 
   private tellStatus(): void {
-    const document = this.document!, { undo, redo } = document;
-    const status = { type: "status", saved: document.text === this.saved, base: "", undo, redo, disk: this.disk, draft: this.isAsking };
+    const document = this.document!,
+      { undo, redo } = document;
+    const status = {
+      type: "status",
+      saved: document.text === this.saved,
+      base: "",
+      undo,
+      redo,
+      disk: this.disk,
+      draft: this.isAsking,
+    };
     const written = JSON.stringify(status);
-    if (written !== this.status) { this.status = written; this.tell(status); }
+    if (written !== this.status) {
+      this.status = written;
+      this.tell(status);
+    }
   }
 
   private keepSoon(): void {
-    this.kept ||= setTimeout(() => { this.kept = 0; this.keep(); }, OFTEN);
+    this.kept ||= setTimeout(() => {
+      this.kept = 0;
+      this.keep();
+    }, OFTEN);
   }
 
   // Keeps a text that is not saved; false: this browser does not keep it.
@@ -243,7 +357,8 @@ export class Tab implements Link {
 
   private save(document: Document): void {
     this.look();
-    if (this.disk === "changed") throw new Error("the scene was saved by another window of this browser: choose which text stays");
+    if (this.disk === "changed")
+      throw new Error("the scene was saved by another window of this browser: choose which text stays");
     this.disk = "same";
     this.saved = document.text;
     const isKept = this.shelf.save(this.name, this.saved);
@@ -278,7 +393,9 @@ export class Tab implements Link {
 
   // ---- what is computed
 
-  private get version(): { version: number; name: string; text: string } { return { version: this.document!.version, name: this.name, text: this.document!.text }; }
+  private get version(): { version: number; name: string; text: string } {
+    return { version: this.document!.version, name: this.name, text: this.document!.text };
+  }
 
   private compute(): void {
     const of = this.version;
@@ -289,9 +406,16 @@ export class Tab implements Link {
     this.inquire();
   }
 
-  private chart(): void { clearTimeout(this.finer); if (this.map && this.document) this.maps.submit({ ask: "map", of: this.version, question: this.map, level: this.level }); }
+  private chart(): void {
+    clearTimeout(this.finer);
+    if (this.map && this.document)
+      this.maps.submit({ ask: "map", of: this.version, question: this.map, level: this.level });
+  }
 
-  private inquire(): void { if (this.question && this.document) this.questions.submit({ ask: "question", of: this.version, question: this.question }); }
+  private inquire(): void {
+    if (this.question && this.document)
+      this.questions.submit({ ask: "question", of: this.version, question: this.question });
+  }
 
   private aside(request: { ask: string; [name: string]: unknown }): Promise<any> {
     const number = ++this.replyNumber;
@@ -307,9 +431,13 @@ export class Tab implements Link {
     const of = this.document ? this.version : { version: 0, name: "", text: "" };
     const found = await this.aside({ ask: "get", path: pathname, of, query: Object.fromEntries(searchParams) });
     if (pathname !== "/api/first") return found;
-    const scenes = this.shelf.names().map((name) => ({ name, title: /"name"\s*:\s*"([^"\\]*)"/.exec(this.shelf.text(name) ?? "")?.[1] ?? null }));
+    const scenes = this.shelf
+      .names()
+      .map((name) => ({ name, title: /"name"\s*:\s*"([^"\\]*)"/.exec(this.shelf.text(name) ?? "")?.[1] ?? null }));
     return { ...found, recent: [], scenes };
   }
 
-  async text(path: string): Promise<string> { return this.get(path); }
+  async text(path: string): Promise<string> {
+    return this.get(path);
+  }
 }
