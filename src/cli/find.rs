@@ -2,8 +2,9 @@
 
 use super::answer::{Answer, AnswerForm, Content, PAGE};
 use super::args::FindArgs;
+use super::asker::Asker;
 use super::failure::Failure;
-use super::input::{Input, Ready, print_doubts};
+use super::input::{Ready, print_doubts};
 use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Count;
@@ -16,8 +17,8 @@ use crate::studies::find::Aim;
 const FILES: [&str; 2] = ["found.json", PAGE];
 
 /// Runs the command.
-pub(crate) fn command(args: &FindArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &FindArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let given = input.decode(&[])?;
     print_doubts(&given, args.scene.quiet);
     let (scene, hash) = (given.scene.name, given.scene.hash);
@@ -34,18 +35,13 @@ pub(crate) fn command(args: &FindArgs) -> Result<Status, Failure> {
         threads: args.threads.map(usize::from),
     };
     interrupt::enter(Stage::Answering);
-    let _keeping = interrupt::hold_interrupt();
+    let _keeping = asker.guard_from_interrupt();
+    let budget = asker.budget();
     let count = Count::new(&scene, "values", args.scene.quiet);
     let prepare = |settings: &[String]| {
-        Ready::of_within(
-            input.decode(settings)?,
-            ModelAssessment::Needed,
-            interrupt::budget(),
-        )
+        Ready::of_within(input.decode(settings)?, ModelAssessment::Needed, budget)
     };
-    let found = find(&question, &prepare, interrupt::budget(), &|done| {
-        count.set(done)
-    });
+    let found = find(&question, &prepare, budget, &|done| count.set(done));
     count.finish();
     let found = found?;
     let source = Source::scene(input.text(), &hash);
@@ -61,7 +57,7 @@ pub(crate) fn command(args: &FindArgs) -> Result<Status, Failure> {
         quiet: args.scene.quiet,
     };
     let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);
-    answer.deliver(folder.as_ref(), shown)?;
+    asker.deliver(&answer, folder.as_ref(), shown)?;
     Ok(match (found.found.complete, found.is_answered()) {
         (false, _) => interrupt::status(),
         (true, true) => Status::Answered,

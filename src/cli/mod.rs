@@ -87,7 +87,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Verify(args) => verify::command(args),
         Command::Show(args) => show::command(args),
         Command::Compare(args) => compare::command(args),
-        Command::Find(args) => find::command(args),
+        Command::Find(args) => find::command(args, &Terminal),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Cam(args) => cam::command(args, &Terminal),

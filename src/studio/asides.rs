@@ -4,9 +4,10 @@ use super::answer::is_judged;
 use super::gallery;
 use super::limits::{FIGURES, JUDGED, RUN};
 use super::motion;
+use super::starters;
 use crate::ask::{Mechanism, ModelAssessment};
 use crate::budget::Budget;
-use crate::frontend::object::{Inputs, Registry};
+use crate::frontend::object::Registry;
 use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, LayeredCatalogue, Overrides, Template, schema, schema_of,
 };
@@ -50,12 +51,8 @@ impl<'a> Aside<'a> {
     pub(super) fn available_parts(&self) -> Value {
         let registry = Registry::standard();
         let kinds = registry.kinds().iter().map(|kind| {
-            let inputs = match kind.inputs {
-                Inputs::None => "none",
-                Inputs::One | Inputs::OneOrSeveral => "one",
-                Inputs::Several => "several",
-            };
-            json!({ "kind": kind.name, "meaning": kind.doc, "inputs": inputs })
+            let begins = starters::begins(kind.name, None);
+            json!({ "kind": kind.name, "meaning": kind.doc, "begins": begins })
         });
         let catalogue = self.layered();
         let mut names = catalogue.names();
@@ -66,7 +63,8 @@ impl<'a> Aside<'a> {
             let object: Value = serde_json::from_str(&text).ok()?;
             let word = |name: &str| object.get(name).and_then(Value::as_str).unwrap_or_default();
             let (kind, meaning) = (word("kind"), word("description"));
-            Some(json!({ "from": name, "kind": kind, "meaning": meaning }))
+            let begins = starters::begins(kind, Some((&name, object.as_object()?)));
+            Some(json!({ "from": name, "kind": kind, "meaning": meaning, "begins": begins }))
         });
         json!({ "kinds": kinds.collect::<Vec<_>>(), "objects": objects.collect::<Vec<_>>() })
     }

@@ -26,6 +26,8 @@ const FIRST = [BENCH, RESULTS];
 // What came of a version: told while the tab is closed too, at little cost.
 export interface Hearing {
   checked: (version: number) => void;
+  // Asks a question with options, in its tab.
+  ask: (command: string, options: Record<string, string[]>) => void;
 }
 
 interface Props {
@@ -39,13 +41,16 @@ interface Props {
   faulty: boolean;
 }
 
-// The first of what the scene offers stands where something is needed, or where there are several.
+// The first of what the scene offers stands where something is needed, or where there are several;
+// of conditions all of them. What is to be greatest is none where something is to be least.
 function filled(question: Question, values: Values): Values {
-  const all = { ...values };
+  const all = { ...values },
+    has = (name: string) => all[name]?.some((value) => value !== "") ?? false;
   for (const { name, required } of question.fields) {
     const offered = question.choices?.[name] ?? [];
-    const chosen = all[name]?.some((value) => value !== "");
-    if (!chosen && offered.length && name !== "methods" && (required || offered.length > 1)) all[name] = [offered[0]!];
+    if (has(name) || !offered.length || name === "methods" || (name === "maximize" && has("minimize"))) continue;
+    if (name === "subject") all[name] = offered;
+    else if (required || offered.length > 1) all[name] = [offered[0]!];
   }
   return all;
 }
@@ -140,6 +145,14 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       hearing.checked = () => {};
     };
   }, [scene, opened]);
+
+  useEffect(() => {
+    hearing.ask = (command, options) => {
+      setValues((all) => ({ ...all, [command]: options }));
+      const found = questions.find((one) => one.command === command);
+      if (found) choose(found.tab);
+    };
+  }, [questions]);
 
   // ---- the question, and its answers
   useEffect(() => {

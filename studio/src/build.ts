@@ -7,7 +7,9 @@
 
 import type { Known } from "./draft";
 import { freeName } from "./graph";
+import type { Parts } from "./kinds";
 import { COPY, far, length, shows, snapped, within, type Joint, type Point, type Sketch } from "./linkage";
+import { driveOf } from "./starter";
 import { find, member, unitOf, type Step, type Steps, type Value } from "./tree";
 
 // A linkage as it is drawn, and what it is drawn on.
@@ -17,6 +19,7 @@ export interface Board {
   joints: Joint[];
   grid: number;
   known: Known;
+  parts: Parts;
 }
 // A place of it: a joint, a link, or neither.
 export interface Spot {
@@ -32,7 +35,7 @@ interface Hold {
 }
 
 const LETTERS = [..."ABCDEFGHIJKLMNPQRSTUVWXYZ"];
-const pathOf = ({ sketch }: Board, ...inner: Step[]): Step[] => ["objects", sketch.id, ...inner];
+export const pathOf = ({ sketch }: Board, ...inner: Step[]): Step[] => ["objects", sketch.id, ...inner];
 const at = ([x, y]: Point): string => `[${length(x)}, ${length(y)}]`;
 const namesOf = (value: Value | undefined): string[] => value?.members.map((one) => one.name) ?? [];
 
@@ -77,19 +80,16 @@ function numbered(stem: string, taken: string[]): string {
 }
 
 // Whether it stands in the text: what is told if not.
-const own = (steps: Steps, board: Board): string | null =>
+export const own = (steps: Steps, board: Board): string | null =>
   member(find(steps.root, pathOf(board)), "from") ? COPY : null;
 
 // A linkage without any parts, and a drive for it where there is none: its name.
-export function begun(steps: Steps): string {
+export function begun(steps: Steps, all: Parts): string {
   const objects = find(steps.root, ["objects"]),
     taken = namesOf(objects),
     [one, two, three] = [1, 2, 3].map((depth) => unitOf(steps.edits.text).repeat(depth));
   let drive = objects?.members.find((object) => member(object.value, "kind")?.value.text === "drive")?.name;
-  if (drive === undefined) {
-    drive = freeName("drive", taken);
-    steps.set(["objects", drive], '{ "kind": "drive", "motion": { "speed": "60 rpm" } }');
-  }
+  drive ??= driveOf(steps, all);
   const id = freeName("linkage", taken),
     parts = ["ground", "links", "pairs", "assembly"].map((name) => `,\n${three}"${name}": {\n${three}}`);
   steps.set(
@@ -101,7 +101,7 @@ export function begun(steps: Steps): string {
 
 // What a pair at a spot can be with: the ground where it can be, a point of a link, its origin; on
 // a link between its points a new one.
-function hold(steps: Steps, board: Board, { at: place, joint, link }: Spot): Hold | null {
+export function hold(steps: Steps, board: Board, { at: place, joint, link }: Spot): Hold | null {
   const { sketch, pose } = board;
   if (joint) {
     const point = joint.points.find((one) => one.link === null) ?? joint.points[0];

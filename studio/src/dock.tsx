@@ -28,6 +28,7 @@ interface Props {
   choose: (id: string) => void;
   // Shows the figures of pinned runs.
   compare: () => void;
+  edge: (address: string, range: string) => void;
   hosts: { dock: { current: HTMLDivElement | null }; charts: { current: HTMLElement } };
 }
 
@@ -45,6 +46,7 @@ export function Dock({
   all,
   choose,
   compare,
+  edge,
   hosts,
 }: Props) {
   return (
@@ -77,6 +79,7 @@ export function Dock({
             spans={spans}
             scene={scene}
             opened={opened}
+            edge={edge}
           />
         )}
         <div class="chart-scroll" tabindex={0} role="region" aria-label="charts of the objects" ref={hosts.dock}>

@@ -20,6 +20,7 @@ import {
   type Sketch,
 } from "./linkage";
 import { InputRows } from "./inputs";
+import type { Parts } from "./kinds";
 import type { Link } from "./link";
 import { TOOLS, Tools, type Tool } from "./tools";
 import { find, member, Steps, type Change, type Edits, type Value } from "./tree";
@@ -28,6 +29,7 @@ interface Props {
   link: Link;
   scene: string;
   version: number;
+  parts: Parts;
   root: () => Value | null;
   isAt: (version: number) => boolean;
   edit: (make: (edits: Edits) => Change[], drag?: number) => boolean;
@@ -53,7 +55,7 @@ const REACH = 13,
   MESH = 8;
 const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props) {
+export function Drawing({ link, scene, version, parts, root, isAt, edit, drag }: Props) {
   const [all, setAll] = useState<Sketch[]>([]);
   const [chosen, setChosen] = useState("");
   // Values of the inputs at which it is seen; null: where it is put together.
@@ -160,7 +162,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
   const pixel = (place: Point): Point => toPixel(view, place);
   const board: Board | null =
     sketch && pose
-      ? { sketch, pose, joints: joints(sketch, pose), grid, known: known.current.get(sketch.id) ?? new Map() }
+      ? { sketch, pose, joints: joints(sketch, pose), grid, known: known.current.get(sketch.id) ?? new Map(), parts }
       : null;
   if (board && !known.current.has(board.sketch.id)) known.current.set(board.sketch.id, board.known);
   const now = useRef(board);
@@ -242,7 +244,9 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
     setPressed(null);
   };
   const press = (spot: Press) => {
-    if (!TOOLS[tool].two) use(spot.place, spot.place);
+    const { two, once } = TOOLS[tool];
+    if (!two || (!pressed && board && once?.(spotAt(board, spot.place, REACH / view.scale))))
+      use(spot.place, spot.place);
     else if (pressed) use(pressed.place, spot.place);
     else setPressed(spot);
   };
@@ -348,7 +352,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
     if (
       edit((edits) => {
         const steps = new Steps(edits);
-        setChosen(begun(steps));
+        setChosen(begun(steps, parts));
         return steps.changes;
       })
     ) {

@@ -1,12 +1,13 @@
 // The kinds of objects: small pictures, and the list that objects are added from.
 
+import type { Begins } from "./starter";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 export interface Part {
   from?: string;
   kind: string;
   meaning: string;
-  inputs?: string;
+  begins: Begins;
 }
 export interface Parts {
   kinds: Part[];

@@ -154,7 +154,7 @@ function Studio() {
   const [version, setVersion] = useState(0);
   const [tab, setTab] = useState<string>(BENCH),
     [opened, setOpened] = useState(0);
-  const hearing = useRef<Hearing>({ checked: () => {} });
+  const hearing = useRef<Hearing>({ checked: () => {}, ask: () => {} });
   // What is told of versions matters where the model is looked at.
   const newest = useRef(0),
     models = useRef(false);
@@ -709,6 +709,7 @@ function Studio() {
               {graph}
               {view === "drawing" && (
                 <Drawing
+                  parts={parts}
                   key={`drawing ${scene}`}
                   link={link}
                   scene={scene}
@@ -804,6 +805,9 @@ function Studio() {
               all={objectsOf}
               choose={(id) => setLoaded(id)}
               compare={() => setTab(RESULTS)}
+              edge={(address, range) =>
+                hearing.current.ask("find", { vary: [`${address}=${range}`], maximize: [address] })
+              }
               hosts={{ dock, charts }}
             />
             <div key="results" class="results" hidden={tab !== RESULTS}>

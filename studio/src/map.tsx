@@ -16,6 +16,8 @@ interface Props {
   spans: Map<string, Span>;
   scene: string;
   opened: number;
+  // Looks for the edge along a number: its address and range.
+  edge: (address: string, range: string) => void;
 }
 
 // What is most often asked: how fast, against how stiff, heavy or loose.
@@ -26,7 +28,7 @@ function first(fields: Field[], not: string | undefined, wanted: RegExp): string
   return (usable.find((field) => wanted.test(`${field.quantity} ${field.address}`)) ?? usable[0])?.address;
 }
 
-export function MapView({ editor, link, fields, figures, spans, scene, opened }: Props) {
+export function MapView({ editor, link, fields, figures, spans, scene, opened, edge }: Props) {
   const [on, setOn] = useState(false);
   const [x, setX] = useState<string>();
   const [y, setY] = useState<string>();
@@ -91,11 +93,13 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
   useEffect(() => {
     // Told of once a frame at most.
     let latest: [number, number] | null = null,
-      _frame = 0;
+      isDue = false;
     link.on("map_progress", ({ done, of }) => {
       latest = [done, of];
-      _frame ||= requestAnimationFrame(() => {
-        _frame = 0;
+      if (isDue) return;
+      isDue = true;
+      requestAnimationFrame(() => {
+        isDue = false;
         setProgress(latest);
       });
     });
@@ -155,12 +159,19 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
     return () => document.removeEventListener("steered", steer);
   }, []);
 
+  const wordsOf = (address: string): string => {
+    const found = fields.find((one) => one.address === address),
+      owner = address.split(".")[0]!;
+    return found ? `${owner}: ${found.label}` : address || "greatest |δ| of the last elastic object";
+  };
   const choice = (label: string, value: string | undefined, all: string[], set: (value: string) => void) => (
     <label>
       {label}{" "}
       <select value={value} onChange={(event) => set(event.currentTarget.value)}>
         {all.map((one) => (
-          <option value={one}>{one || "greatest |δ| of the last elastic object"}</option>
+          <option value={one} title={one}>
+            {wordsOf(one)}
+          </option>
         ))}
       </select>
     </label>
@@ -181,6 +192,16 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
               setY,
             )}
             {choice("of", figure, ["", ...figures], setFigure)}
+            <button
+              type="button"
+              onClick={() => {
+                const { low, high } = spanFor(alongX!),
+                  { unit } = fields.find((one) => one.address === alongX)!;
+                edge(alongX!, `${low}:${high} ${unit}`.trim());
+              }}
+            >
+              Find the edge
+            </button>
           </>
         )}
         {on && progress && <progress max={progress[1]} value={progress[0]} aria-label="cells of the map" />}

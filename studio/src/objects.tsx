@@ -6,6 +6,7 @@ import { clip, copied, pasted } from "./copy";
 import { BOX, boxes, freeName, ownerOf, portAt, within, type Box, type Outline } from "./graph";
 import { isInField } from "./keys";
 import { Palette, Picture, type Part, type Parts } from "./kinds";
+import { put } from "./starter";
 import { Steps, written, type Change, type Edits } from "./tree";
 
 export interface Fault {
@@ -143,22 +144,14 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   };
 
   const add = (part: Part) => {
-    const ids = objects.map((one) => one.id),
-      stem = part.from
-        ? part.from
-            .split("/")[1]!
-            .split("-")
-            .slice(0, 2)
-            .join("_")
-            .replace(/[^A-Za-z0-9_]/g, "_")
-        : part.kind;
-    const id = freeName(/^[A-Za-z_]/.test(stem) ? stem : part.kind, ids),
-      kind = parts.kinds.find((one) => one.kind === part.kind);
-    const driver = selected.length === 1 ? selected[0]! : ids.at(-1);
-    const own: Record<string, unknown> = part.from ? { from: part.from } : { kind: part.kind };
-    if (driver && kind?.inputs === "one") own.input = driver;
-    if (driver && kind?.inputs === "several") own.inputs = { input: { object: driver, ratio: 1 } };
-    if (edit((edits) => edits.set(["objects", id], written(own)))) select([id]);
+    const driver = (selected.length === 1 && objects.find((one) => one.id === selected[0])) || objects.at(-1);
+    let id = "";
+    const done = edit((edits) => {
+      const steps = new Steps(edits);
+      id = put(steps, part, parts, driver ?? null);
+      return steps.changes;
+    });
+    if (done) select([id]);
     setAdding(false);
   };
   const remove = () => {

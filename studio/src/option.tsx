@@ -13,6 +13,9 @@ export interface Option {
   required: boolean;
 }
 
+// Of these the scene offers some, and others may be written.
+const OPEN = ["methods", "law", "vary", "maximize", "minimize"];
+
 interface Props {
   option: Option;
   offered: string[];
@@ -44,7 +47,7 @@ export function OptionField({ option, offered, values, set }: Props) {
           onChange={(event) => set(event.currentTarget.checked ? [""] : [])}
         />
       );
-    if (sort === "choice" || (offered.length > 0 && name !== "methods" && name !== "law" && sort === "text")) {
+    if (sort === "choice" || (offered.length > 0 && !OPEN.includes(name) && sort === "text")) {
       const all = sort === "choice" ? option.choices : offered.map((one): [string, string] => [one, ""]);
       return (
         <select

@@ -1,13 +1,22 @@
 // The tools of a drawing: what a press in it does.
 
 import { grounded, guided, linked, pointed, removed, type Board, type Spot } from "./build";
+import { handed, joined } from "./ends";
 import type { Steps } from "./tree";
 
-export type Tool = "select" | "ground" | "link" | "point" | "guide" | "delete";
+export type Tool = "select" | "ground" | "link" | "point" | "guide" | "drive" | "output" | "delete";
 type Act = (steps: Steps, board: Board, from: Spot, to: Spot) => string | null;
 
 // Name, whether it goes from one place to another, what it does, and what is said of it.
-export const TOOLS: Record<Tool, { words: string; two: boolean; act: Act | null; help: string }> = {
+// `once`: what may be pressed at already where it goes from one place to another.
+interface Use {
+  words: string;
+  two: boolean;
+  once?: (at: Spot) => boolean;
+  act: Act | null;
+  help: string;
+}
+export const TOOLS: Record<Tool, Use> = {
   select: {
     words: "Select",
     two: false,
@@ -37,6 +46,19 @@ export const TOOLS: Record<Tool, { words: string; two: boolean; act: Act | null;
     two: true,
     act: guided,
     help: "Press at a joint of a link and let go in the direction in which it is to slide on the ground.",
+  },
+  drive: {
+    words: "Drive",
+    two: false,
+    act: (steps, board, from) => joined(steps, board, from),
+    help: "Click a pin: a drive of its own turns it, beside those that there are.",
+  },
+  output: {
+    words: "Output",
+    two: true,
+    once: ({ joint, link }) => !joint && link !== null,
+    act: handed,
+    help: "Click a link, and a lever hangs on its angle; drag from a joint, and a slide hangs on its travel in that direction.",
   },
   delete: {
     words: "Delete",

@@ -134,6 +134,19 @@ export function written(value: unknown): string {
   return JSON.stringify(value);
 }
 
+// How long a part may be that stands on one line.
+const LINE = 100;
+// JSON as scenes are written, in a text with its indent: what is too long for a line with a member on each.
+export function laid(value: unknown, text: string, depth: number): string {
+  const line = written(value);
+  if (line.length <= LINE || !value || typeof value !== "object" || Array.isArray(value)) return line;
+  const unit = unitOf(text),
+    inner = Object.entries(value).map(
+      ([name, one]) => `${unit.repeat(depth + 1)}${JSON.stringify(name)}: ${laid(one, text, depth + 1)}`,
+    );
+  return `{\n${inner.join(",\n")}\n${unit.repeat(depth)}}`;
+}
+
 // Blanks that a line begins with.
 const indentAt = (text: string, place: number): string =>
   /^[ \t]*/.exec(text.slice(text.lastIndexOf("\n", place - 1) + 1))![0];

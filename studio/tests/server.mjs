@@ -100,13 +100,23 @@ export class Server {
   }
   // The figures of the program for a text.
   run(text) {
+    return this.ask(text, "run");
+  }
+  // The best value of a parameter.
+  find(text, vary, subject) {
+    const maximize = vary.split("=")[0];
+    return this.ask(text, "find", "--vary", vary, "--subject", subject, "--maximize", maximize).best.value;
+  }
+  // What the program answers to a text.
+  ask(text, command, ...options) {
     const file = join(this.base, "asked.json");
     writeFileSync(file, text);
     let out;
     try {
-      out = execFileSync(dam, ["run", file, "--json", "--quiet"], {
+      out = execFileSync(dam, [command, file, ...options, "--json", "--quiet"], {
         encoding: "utf8",
         stdio: ["ignore", "pipe", "ignore"],
+        maxBuffer: 1 << 26,
       });
     } catch (error) {
       out = error.stdout;

@@ -2,8 +2,8 @@
 
 use super::TABS;
 use crate::ask::{Mechanism, ModelAssessment};
-use crate::dynamics::model::Model;
-use crate::frontend::scene::{BuiltIn, Document, LayeredCatalogue, Overrides};
+use crate::dynamics::model::{Closure, Model, Pair};
+use crate::frontend::scene::{BuiltIn, Document, LayeredCatalogue, Number, Overrides};
 use crate::kinematics::motion::LawName;
 use crate::studies::cam::objects_with_cam;
 use crate::studies::kinematics::{Subject, linkage_of, several_of};
@@ -36,7 +36,10 @@ pub(super) fn of(asked: &CommandScene<'_>) -> Vec<Fit> {
     let ready = Mechanism::of_within(reading, ModelAssessment::Never, &asked.budget);
     let tree: Value = serde_json::from_str(asked.text).unwrap_or_default();
     let one = |ready: &Mechanism, command| {
-        let (choices, why) = choices_for_scene(command, ready, &tree);
+        let (choices, why) = match command {
+            "find" => found(ready, &document.numbers(&catalogue)),
+            _ => choices_for_scene(command, ready, &tree),
+        };
         Fit {
             command,
             why,
@@ -49,13 +52,52 @@ pub(super) fn of(asked: &CommandScene<'_>) -> Vec<Fit> {
     }
 }
 
-type Choices = Option<(&'static str, Vec<String>)>;
+type Choices = Vec<(&'static str, Vec<String>)>;
+
+/// What is most often looked for: the highest speed at which nothing separates.
+fn found(ready: &Mechanism, numbers: &[Number]) -> (Choices, Option<String>) {
+    let speed = |one: &Number| one.address.ends_with("motion.speed");
+    let usable = numbers.iter().filter(|one| !one.whole && one.value > 0.0);
+    let usable = usable.filter(|one| {
+        !["run.", "steady."]
+            .iter()
+            .any(|of| one.address.starts_with(of))
+    });
+    let (first, rest): (Vec<_>, Vec<_>) = usable.partition(|one| speed(one));
+    let all: Vec<_> = first.into_iter().chain(rest).collect();
+    let range = |one: &&Number| {
+        let [low, high] = [one.value / 4.0, one.value * 4.0];
+        format!("{}={low}:{high} {}", one.address, one.unit)
+            .trim_end()
+            .to_owned()
+    };
+    let ranges: Vec<_> = all.iter().map(range).collect();
+    let why = ranges
+        .is_empty()
+        .then(|| "no number stands in the scene".to_owned());
+    let model = ready.model();
+    let opens = |pair: Pair| pair.closure != Closure::Bilateral;
+    let parts = model.objects.iter();
+    let parts = parts.filter(|part| model.elastic_pair(part).is_some_and(opens));
+    let subject = parts
+        .map(|part| format!("{}.pair.separations <= 0", part.id))
+        .collect();
+    let addresses: Vec<_> = all.iter().map(|one| one.address.clone()).collect();
+    (
+        vec![
+            ("vary", ranges),
+            ("maximize", addresses),
+            ("subject", subject),
+        ],
+        why,
+    )
+}
 
 fn choices_for_scene(command: &str, ready: &Mechanism, tree: &Value) -> (Choices, Option<String>) {
     let model = ready.model();
     let named = |option, names: Vec<String>, why: &str| {
         let none = names.is_empty().then(|| why.to_owned());
-        (Some((option, names)), none)
+        (vec![(option, names)], none)
     };
     match command {
         "kinematics" => linkages(model, |id| Subject::of(model, id).err()),
@@ -65,7 +107,7 @@ fn choices_for_scene(command: &str, ready: &Mechanism, tree: &Value) -> (Choices
             let wrong = steady::suits(model, &spec).err().unwrap_or_default();
             let first = wrong.into_iter().next();
             (
-                None,
+                Vec::new(),
                 first.map(|fault| format!("{}: {}", fault.path, fault.message)),
             )
         }
@@ -95,14 +137,14 @@ fn choices_for_scene(command: &str, ready: &Mechanism, tree: &Value) -> (Choices
         }
         "law show" => {
             let names = LawName::ALL.map(|name| name.name().to_owned());
-            (Some(("law", names.to_vec())), None)
+            (vec![("law", names.to_vec())], None)
         }
         "methods" => {
             let all = all_methods();
             let names = all.iter().map(|method| method.name().to_owned());
-            (Some(("methods", names.collect())), None)
+            (vec![("methods", names.collect())], None)
         }
-        _ => (None, None),
+        _ => (Vec::new(), None),
     }
 }
 
@@ -118,7 +160,7 @@ fn linkages(
         true => refused(None),
         false => None,
     };
-    (Some(("object", names)), why)
+    (vec![("object", names)], why)
 }
 
 /// Addresses of laws of motion.

@@ -13,7 +13,7 @@ use super::asker::Asker;
 use super::failure::Failure;
 use super::input::Input;
 use super::output::OutputFolder;
-use super::{cam, forces, kinematics, law, methods, reduce, run, steady};
+use super::{cam, find, forces, kinematics, law, methods, reduce, run, steady};
 use crate::budget::Budget;
 use crate::frontend::diagnostics::Diagnostic;
 use crate::frontend::scene::{Catalogue, NamedBytes};
@@ -40,7 +40,8 @@ const fn tab(command: &'static str, name: &'static str) -> Tab {
 }
 
 /// The questions in their order; those of one first word stand in one tab.
-pub(super) const TABS: [Tab; 10] = [
+pub(super) const TABS: [Tab; 11] = [
+    tab("find", "Find"),
     tab("kinematics", "Kinematics"),
     tab("forces", "Forces"),
     tab("steady", "Steady motion"),
@@ -124,6 +125,7 @@ impl<'a> Window<'a> {
             Command::Steady(args) => steady::command(args, self),
             Command::Forces(args) => forces::command(args, self),
             Command::Reduce(args) => reduce::command(args, self),
+            Command::Find(args) => find::command(args, self),
             _ => return Err("this is no question".to_owned()),
         };
         // Whether the answer is to be trusted stands in it.

@@ -99,7 +99,7 @@ fn scenes_say_which_questions_they_fit() {
         fit.map(|one| one["command"].as_str().unwrap().to_owned())
             .collect::<Vec<_>>()
     };
-    let any = ["law show", "law synthesize", "methods", "reduce"];
+    let any = ["find", "law show", "law synthesize", "methods", "reduce"];
     let fitting = |own: &[&str]| -> Vec<String> {
         let all = TABS.iter().map(|tab| tab.command);
         all.filter(|one| own.contains(one) || any.contains(one))

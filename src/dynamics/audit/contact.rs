@@ -104,11 +104,13 @@ impl Contact {
         force(q)
     }
 
-    /// What it does at a deformation and its rate.
-    pub(super) fn press(&self, x: f64, rate: f64, modes: &[i64]) -> ContactState {
+    /// Force, depth and engaged flank at the deformation `x` of the link and its rate. The mode of
+    /// its component gives the flank: 0 open, ±1 engaged; without a component it is always engaged.
+    /// An open contact has no force; `held_off` notes a flank that should have closed.
+    pub(super) fn state_at(&self, x: f64, rate: f64, modes: &[i64]) -> ContactState {
         let mode = self.component.map_or(1, |component| modes[component]);
         let restitution = self.pair.form.restitution();
-        let mut pressed = ContactState {
+        let mut state = ContactState {
             object: self.object,
             component: self.component,
             mode,
@@ -122,9 +124,9 @@ impl Contact {
             speed: rate,
         };
         if self.pair.closure == Closure::Bilateral {
-            pressed.force = self.stiffness * x + self.damping * rate;
-            (pressed.depth, pressed.normal) = (x, pressed.force);
-            return pressed;
+            state.force = self.stiffness * x + self.damping * rate;
+            (state.depth, state.normal) = (x, state.force);
+            return state;
         }
         if mode == 0 {
             let sides: &[f64] = match self.pair.closure {
@@ -138,15 +140,15 @@ impl Contact {
                     None => self.normal(depth, side * rate),
                 };
                 if depth > 0.0 && normal > 0.0 {
-                    pressed.held_off = [depth, normal];
+                    state.held_off = [depth, normal];
                 }
             }
-            return pressed;
+            return state;
         }
         let side = mode as f64;
-        pressed.depth = side * x - self.half_gap();
-        pressed.normal = self.normal(pressed.depth, side * rate);
-        pressed.force = side * pressed.normal;
-        pressed
+        state.depth = side * x - self.half_gap();
+        state.normal = self.normal(state.depth, side * rate);
+        state.force = side * state.normal;
+        state
     }
 }

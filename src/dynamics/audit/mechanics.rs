@@ -280,7 +280,7 @@ impl<'s> Mechanics<'s> {
                 (None, LoadLaw::Stop(stop)) => {
                     let contact = self.stops[index].as_ref();
                     let pressed =
-                        contact.map(|contact| contact.press(own.0 - stop.at, own.1, modes));
+                        contact.map(|contact| contact.state_at(own.0 - stop.at, own.1, modes));
                     let force = pressed.map_or(0.0, |pressed| -pressed.force);
                     self.pressed.extend(pressed);
                     force
@@ -306,7 +306,7 @@ impl<'s> Mechanics<'s> {
             let (x, rate) = (u - base[0], v - base[1]);
             let force = match &link.contact {
                 Some(contact) => {
-                    let pressed = contact.press(x, rate, modes);
+                    let pressed = contact.state_at(x, rate, modes);
                     self.pressed.push(pressed);
                     pressed.force
                 }

@@ -89,18 +89,19 @@ impl Profile {
         total
     }
 
-    /// A speed that belongs to a level.
-    fn usual_speed(&self, level: f64) -> f64 {
+    /// Upper bound of ω (rad/s) at a level of the kinetic energy (J): greatest energy over least
+    /// inertia. Scales the tolerances of quadrature.
+    fn speed_bound(&self, level: f64) -> f64 {
         (2.0 * (level + self.range()) / self.least_inertia().value).sqrt()
     }
 
     fn period(&self, level: f64) -> Area {
-        let size = self.cycle() / self.usual_speed(level);
+        let size = self.cycle() / self.speed_bound(level);
         self.sum(level, size, |speed| 1.0 / speed)
     }
 
     fn mean_over_angle(&self, level: f64) -> f64 {
-        let size = self.cycle() * self.usual_speed(level);
+        let size = self.cycle() * self.speed_bound(level);
         self.sum(level, size, |speed| speed).value / self.cycle()
     }
 

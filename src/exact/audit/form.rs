@@ -8,7 +8,7 @@ use crate::exact::phase::{Exponentials, Phase};
 
 /// A pair of lanes whose exponents cancel (in this share of their size) is
 /// integrated by itself.
-const LEVEL: f64 = 1e-6;
+const CANCELLING: f64 = 1e-6;
 
 /// ∫ Σ_jk Re(u_j z_j e^{λ_j s})·Re(w_k z_k e^{λ_k s}) ds with weights u_j·w_k summed
 /// over whatever they belong to.
@@ -26,7 +26,7 @@ pub(super) struct Form {
     /// By row and block of lanes k, what the products of the lanes' parts count:
     /// re·re, im·im, re·im, im·re.
     cells: Vec<[V; 4]>,
-    level: Vec<Level>,
+    cancelling: Vec<CancellingPair>,
     /// Only pairs with k ≤ j, those with k < j twice.
     symmetric: bool,
 }
@@ -61,7 +61,7 @@ impl PhaseEnds {
 
 /// A pair of lanes whose exponents cancel.
 #[derive(Clone, Copy, Debug)]
-struct Level {
+struct CancellingPair {
     j: usize,
     k: usize,
     conjugate: bool,
@@ -70,16 +70,17 @@ struct Level {
 }
 
 impl Form {
-    /// The form over `rows` with `weight(j, k, conjugate)`, the weight of lane k
-    /// being conjugate in the last case; `symmetric`: over all rows, and the same
-    /// with j and k exchanged.
+    /// The form over the lanes j of `rows`, the lanes being in `blocks` of `WIDTH`.
+    /// `weight(j, k, conjugate)` is u_j·w_k, with the conjugate of w_k if `conjugate`;
+    /// `symmetric`: `rows` are all lanes, and weights do not change if j and k are exchanged,
+    /// so that only pairs k ≤ j are kept.
     pub(super) fn new(
         (lanes, blocks): (&[Lane], usize),
         (rows, symmetric): (Vec<usize>, bool),
         weight: impl Fn(usize, usize, bool) -> C,
     ) -> Self {
         let mut cells = vec![[V::ZERO; 4]; rows.len() * blocks];
-        let mut level = Vec::new();
+        let mut cancelling = Vec::new();
         for (row, &j) in rows.iter().enumerate() {
             let others = if symmetric { j + 1 } else { lanes.len() };
             let own = lanes[j].lambda;
@@ -97,8 +98,8 @@ impl Form {
                     if weight.norm_sqr() == 0.0 {
                         continue;
                     }
-                    if exponent.norm_sqr() <= LEVEL * LEVEL * whole {
-                        level.push(Level {
+                    if exponent.norm_sqr() <= CANCELLING * CANCELLING * whole {
+                        cancelling.push(CancellingPair {
                             j,
                             k,
                             conjugate,
@@ -120,7 +121,7 @@ impl Form {
         Self {
             rows,
             cells,
-            level,
+            cancelling,
             symmetric,
         }
     }
@@ -157,7 +158,7 @@ impl Form {
             let (b, i) = (k / WIDTH, k % WIDTH);
             C::new(phase.re[b].0[i], phase.im[b].0[i])
         };
-        for pair in &self.level {
+        for pair in &self.cancelling {
             let other = amplitude(pair.k);
             let other = if pair.conjugate { other.conj() } else { other };
             let size = amplitude(pair.j) * other * pair.weight;

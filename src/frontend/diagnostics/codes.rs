@@ -70,7 +70,7 @@ pub const CODES: &[Code] = &[
     code("two-ways", "The same thing is given in two ways.", "Keep one of the two properties."),
     code("unknown-catalogue-object", "`from` names no object of the catalogue.", "Choose a name of the catalogue; the message proposes a similar one."),
     code("unknown-choice", "The value is none of those that the property offers.", "Choose one of the values that the message lists."),
-    code("unknown-dimension", "A dimension is used that `dimensions` does not declare.", "Declare it, or correct its name."),
+    code("unknown-dimension", "`dimensions` declares a name to which nothing refers.", "Correct its name, or remove it."),
     code("unknown-figure", "There is no result of this name.", "Choose a name of the page of results."),
     code("unknown-name", "There is no object or result of this name in what was computed.", "Correct the name; the message proposes similar ones."),
     code("unknown-object", "There is no object of this id.", "Correct the id, or add the object."),

@@ -210,7 +210,9 @@ impl Slot<'_> {
         let refers = self.refers(text);
         match parse(text) {
             Ok(measure) if !refers => return Some(measure),
-            Err(error) if !(refers || is_calculated(text) || by_name && has_names(self.reader)) => {
+            Err(error)
+                if !(refers || has_arithmetic(text) || by_name && has_names(self.reader)) =>
+            {
                 self.unit_fault(text, error, wanted);
                 return None;
             }
@@ -261,9 +263,9 @@ impl Slot<'_> {
     }
 }
 
-/// True of a text in which something is calculated: an operator follows its first number or
-/// bracket.
-fn is_calculated(text: &str) -> bool {
+/// True if a text begins with a bracket, calls a function, or has an operator after its first
+/// number. Formulas that begin with a name (`r/2`) are found by `refers`.
+fn has_arithmetic(text: &str) -> bool {
     let text = text
         .trim_start()
         .trim_start_matches(['-', '+'])

@@ -27,8 +27,9 @@ pub(crate) struct UnitFault {
 }
 
 impl UnitFault {
-    /// Of the property at a path with its text: how its measure does not fit the SI unit that is wanted,
-    /// which stands also in `words` with others.
+    /// The message for a property whose unit does not fit. `path`, `text`: its address, and what is
+    /// written there; `measure`, `mismatch`: what was read, and why it does not fit; `si`: the unit
+    /// to propose; `words`: all accepted quantities in words, for the hint "it is …".
     pub(crate) fn new(
         (path, text): (&str, &str),
         (measure, mismatch): (Measure, Mismatch),

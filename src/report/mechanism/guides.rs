@@ -6,8 +6,9 @@ use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::report::plot::coordinate;
 use std::fmt::Write as _;
 
-/// Half the height of a pair's block (m).
-pub(super) fn block_height(pair: &PairSpec, extent: f64) -> f64 {
+/// Half the height (m) of the block of a prismatic joint in a drawing of a mechanism of this
+/// extent (m); 0 for other joints.
+pub(super) fn block_half_height(pair: &PairSpec, extent: f64) -> f64 {
     shape::block(pair, extent).map_or(0.0, |block| block.half_height)
 }
 

@@ -2,7 +2,7 @@
 //! out, and where forces act.
 
 use super::guides::{
-    bar_to_rails, block_height, line_across_rails, on_axis, point_in_ground, rails, travel,
+    bar_to_rails, block_half_height, line_across_rails, on_axis, point_in_ground, rails, travel,
 };
 use super::names::{NAME, drawn_end, ground_pin, names};
 use super::shape::{self, Block};
@@ -84,7 +84,7 @@ fn supports(drawing: &Drawing<'_>, view: &View) -> String {
                         coordinate(x),
                         coordinate(y),
                         coordinate(-direction.to_degrees()),
-                        rails(span, block_height(pair, view.extent), view.scale, true)
+                        rails(span, block_half_height(pair, view.extent), view.scale, true)
                     );
                 } else if pair.link.link.is_none() {
                     out.push_str(&support(view.pixel(pair.link.at)));
@@ -135,12 +135,15 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
         };
         if pair.on.link == Some(link) {
             let span = travel(drawing, index, view.extent);
-            let height = block_height(pair, view.extent);
-            let mut rails = rails(span, height, view.scale, false);
+            let half_height = block_half_height(pair, view.extent);
+            let mut rails = rails(span, half_height, view.scale, false);
             if let Some((from, along)) = bar_to_rails(drawing, index, span) {
                 let to = on_axis(pair, direction, along);
                 out.push_str(&bar(&format!("M{}L{}", pixel(from), pixel(to))));
-                rails.push_str(&line_across_rails(along * view.scale, height * view.scale));
+                rails.push_str(&line_across_rails(
+                    along * view.scale,
+                    half_height * view.scale,
+                ));
             }
             let _ = write!(
                 out,

@@ -259,6 +259,6 @@ fn empty(file: &str) -> String {
     let name = file.rsplit('/').next().unwrap_or(file);
     let name = json!(name.trim_end_matches(".json").replace(['_', '-'], " "));
     format!(
-        "{{\n  \"dam\": 1,\n  \"name\": {name},\n  \"objects\": {{\n  }},\n  \"run\": {{ \"duration\": \"1 s\" }}\n}}\n"
+        "{{\n  \"dam\": 1,\n  \"name\": {name},\n  \"objects\": {{\n  }},\n  \"run\": {{ \"duration\": \"1 s\", \"start\": \"static\" }}\n}}\n"
     )
 }

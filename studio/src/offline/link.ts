@@ -284,7 +284,7 @@ export class Tab implements Link {
       return;
     }
     const title = JSON.stringify(name.replace(/\.json$/, "").replaceAll(/[_-]/g, " "));
-    const empty = `{\n  "dam": 1,\n  "name": ${title},\n  "objects": {\n  },\n  "run": { "duration": "1 s" }\n}\n`;
+    const empty = `{\n  "dam": 1,\n  "name": ${title},\n  "objects": {\n  },\n  "run": { "duration": "1 s", "start": "static" }\n}\n`;
     try {
       this.shelf.save(name, from ? await this.aside({ ask: "begin", from }) : empty);
       this.open(name);

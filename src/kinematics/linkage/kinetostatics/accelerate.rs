@@ -70,11 +70,12 @@ impl Kinetostatics {
         let rubs = options.friction && self.has_friction();
         if speed != 0.0 || !rubs {
             let direction = if speed < 0.0 { -1.0 } else { 1.0 };
-            let solved = self.accelerate_in(positions, motion, direction, drive, options, w)?;
+            let solved =
+                self.accelerate_in_direction(positions, motion, direction, drive, options, w)?;
             return Ok(moves(w.acceleration, solved));
         }
         let start = |direction: f64, w: &mut ForceWorkspace| match self
-            .accelerate_in(positions, motion, direction, drive, options, w)
+            .accelerate_in_direction(positions, motion, direction, drive, options, w)
         {
             Ok(solved) if w.acceleration * direction > 0.0 => Ok(Some((w.acceleration, solved))),
             Ok(_) | Err(ForceFailure::SelfLocking { .. }) => Ok(None),
@@ -103,8 +104,10 @@ impl Kinetostatics {
         })
     }
 
-    /// Acceleration for sliding in the given direction of the input.
-    fn accelerate_in<P: Positions>(
+    /// Solves for the acceleration if the input slides in `direction` (±1), into
+    /// `w.acceleration`, and for those of other solutions into `w.others`. `motion.acceleration`
+    /// must be 0. Returns the quality of the solution.
+    fn accelerate_in_direction<P: Positions>(
         &self,
         positions: &P,
         motion: InputMotion,

@@ -61,7 +61,7 @@ pub struct ForceWorkspace {
     pub(super) bare: f64,
     /// Matrix of Newton's method.
     pub(super) small: Factors,
-    /// Driver's forces of the other solutions found.
+    /// Driver's forces, or accelerations, of the other solutions found.
     pub(super) others: Vec<f64>,
     pub(super) scratch: [Vec<f64>; 2],
     /// What belongs to several inputs that move freely.
