@@ -6,6 +6,7 @@ import { offer, save } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
 import { OptionField, type Option } from "./option";
+import { BENCH, RESULTS } from "./store/views";
 import { choice, reshow } from "./units";
 
 export interface Question {
@@ -18,22 +19,15 @@ export interface Question {
 }
 type Values = Record<string, string[]>;
 
-// The workbench, and what the run found in tables: they are no questions.
-export const BENCH = "Workbench",
-  RESULTS = "Results";
 const FIRST = [BENCH, RESULTS];
-
-// What came of a version: told while the tab is closed too, at little cost.
-export interface Hearing {
-  checked: (version: number) => void;
-}
 
 interface Props {
   link: Link;
   scene: string;
   tab: string;
   choose: (tab: string) => void;
-  hearing: Hearing;
+  // Hears of every version that was checked while the tab is closed too.
+  hearing: { checked: (version: number) => void };
   // Counts how often a scene was opened: the server knows no question by then.
   opened: number;
   faulty: boolean;
@@ -198,7 +192,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   // In other units.
   useEffect(() => {
     if (drawn.current) draw(drawn.current.message, drawn.current.command);
-  }, [choice.number]);
+  }, [choice.value]);
 
   const fetched = async (name: string) => {
     setTold(`${name} is being made …`);
