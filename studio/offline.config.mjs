@@ -9,7 +9,9 @@ export default defineConfig({
   ...own,
   define: { PROGRAM: JSON.stringify(version) },
   resolve: {
-    alias: [{ find: /^\.\/connection$/, replacement: new URL("src/offline/connection.tsx", import.meta.url).pathname }],
+    alias: [
+      { find: /^\.\.?\/connection$/, replacement: new URL("src/offline/connection.tsx", import.meta.url).pathname },
+    ],
   },
   build: { ...own.build, outDir: "node_modules/.offline", emptyOutDir: true, copyPublicDir: false },
   worker: { format: "iife" },

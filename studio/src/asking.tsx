@@ -6,6 +6,7 @@ import { offer, save } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
 import { OptionField, type Option } from "./option";
+import { BENCH, RESULTS } from "./store/views";
 import { choice, reshow } from "./units";
 
 export interface Question {
@@ -18,16 +19,13 @@ export interface Question {
 }
 type Values = Record<string, string[]>;
 
-// The workbench, and what the run found in tables: they are no questions.
-export const BENCH = "Workbench",
-  RESULTS = "Results";
 const FIRST = [BENCH, RESULTS];
 
 // What came of a version: told while the tab is closed too, at little cost.
 export interface Hearing {
   checked: (version: number) => void;
   // Asks a question with options, in its tab.
-  ask: (command: string, options: Record<string, string[]>) => void;
+  ask: (command: string, options: Values) => void;
 }
 
 interface Props {
@@ -35,6 +33,7 @@ interface Props {
   scene: string;
   tab: string;
   choose: (tab: string) => void;
+  // Hears of every version that was checked while the tab is closed too.
   hearing: Hearing;
   // Counts how often a scene was opened: the server knows no question by then.
   opened: number;
@@ -211,7 +210,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   // In other units.
   useEffect(() => {
     if (drawn.current) draw(drawn.current.message, drawn.current.command);
-  }, [choice.number]);
+  }, [choice.value]);
 
   const fetched = async (name: string) => {
     setTold(`${name} is being made …`);

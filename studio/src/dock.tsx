@@ -1,96 +1,62 @@
 // The charts under the canvas: of one object or of all, pinned runs, a signal over another, and a map
 // beside them.
 
-import type { Answer } from "./answer";
 import { Beside, Choice } from "./beside";
-import type { Editor } from "./editor";
 import { Host } from "./host";
-import type { Link } from "./link";
 import { MapView } from "./map";
-import type { Field, Span } from "./numbers";
+import { scene } from "./store/file";
+import { link } from "./store/line";
+import { hearing } from "./store/opening";
+import { placed } from "./store/places";
+import { ALL, answer, charted, chosenCharts, figures, isStale, openings, shownCharts } from "./store/run";
+import { editor, fields, spans } from "./store/text";
+import { RESULTS, tab } from "./store/views";
 
-// Charts of all objects are shown.
-export const ALL = "";
-
-interface Props {
-  link: Link;
-  editor: Editor | null;
-  answer: Answer | null;
-  opened: number;
-  stale: boolean;
-  scene: string;
-  fields: Field[];
-  figures: string[];
-  spans: Map<string, Span>;
-  // The object whose charts are shown, and all that have some.
-  object: string | null;
-  all: string[];
-  choose: (id: string) => void;
-  // Shows the figures of pinned runs.
-  compare: () => void;
-  edge: (address: string, range: string) => void;
-  hosts: { dock: { current: HTMLDivElement | null }; charts: { current: HTMLElement } };
+function ChartsOf() {
+  const all = charted.value;
+  return (
+    <Choice
+      label="Charts of"
+      value={shownCharts.value ?? ALL}
+      all={all.length > 1 ? [...all, ALL] : all}
+      none="all objects"
+      set={(id) => {
+        chosenCharts.value = id;
+      }}
+    />
+  );
 }
 
-export function Dock({
-  link,
-  editor,
-  answer,
-  opened,
-  stale,
-  scene,
-  fields,
-  figures,
-  spans,
-  object,
-  all,
-  choose,
-  compare,
-  edge,
-  hosts,
-}: Props) {
+export function Dock() {
   return (
     <section class="dock" aria-label="dock">
-      {answer && (
+      {answer.value && (
         <Beside
           link={link}
-          answer={answer}
-          opened={opened}
-          stale={stale}
-          compare={compare}
-          before={
-            <Choice
-              label="Charts of"
-              value={object ?? ALL}
-              all={all.length > 1 ? [...all, ALL] : all}
-              none="all objects"
-              set={choose}
-            />
-          }
+          answer={answer.value}
+          opened={openings.value}
+          stale={isStale.value}
+          compare={() => {
+            tab.value = RESULTS;
+          }}
+          before={<ChartsOf />}
         />
       )}
       <div class="docked">
-        {editor && (
+        {editor.value && (
           <MapView
-            editor={editor}
+            editor={editor.value}
             link={link}
-            fields={fields}
-            figures={figures}
+            fields={fields.value}
+            figures={figures.value}
             spans={spans}
-            scene={scene}
-            opened={opened}
-            edge={edge}
+            scene={scene.value}
+            opened={openings.value}
+            edge={(address, range) => hearing.ask("find", { vary: [`${address}=${range}`], maximize: [address] })}
           />
         )}
-        <div class="chart-scroll" tabindex={0} role="region" aria-label="charts of the objects" ref={hosts.dock}>
-          <Host
-            kind="section"
-            class="charts"
-            label="charts"
-            of={(element) => {
-              hosts.charts.current = element;
-            }}
-          />
+        <div class="chart-scroll" tabindex={0} role="region" aria-label="charts of the objects" ref={placed("dock")}>
+          <Host kind="section" class="charts" label="charts" of={placed("charts")} />
         </div>
       </div>
     </section>

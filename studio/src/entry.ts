@@ -67,7 +67,9 @@ export function typedNumber(given: string): Typed {
   // A sign before a letter: it reckons with what has a name.
   if (Number.isNaN(value) && /[-+*/^(]\s*$/.test(number) && /^[A-Za-z_]/.test(unit)) return { sort: "text" };
   if (!Number.isFinite(value)) return { sort: "wrong", why: `“${given.trim()}” is not a number.` };
-  if (unit && !/^[A-Za-zµμ°%Ω]/.test(unit)) return { sort: "wrong", why: `“${given.trim()}” is not a number.` };
+  // `0x10` is no zero with the unit x10.
+  if (unit && (!/^[A-Za-zµμ°%Ω]/.test(unit) || (number === "0" && /^[xob][\da-f]/i.test(unit))))
+    return { sort: "wrong", why: `“${given.trim()}” is not a number.` };
   return {
     sort: "number",
     entry: { number: PLAIN.test(number) ? number : String(Number(value.toPrecision(15))), unit },

@@ -1,9 +1,10 @@
 // What the scene expects of its run, met or not, and expectations made from the run.
 
-import { useEffect, useState } from "preact/hooks";
-import type { Answer } from "./answer";
+import { useState } from "preact/hooks";
 import type { Link } from "./link";
+import { expectations } from "./store/run";
 import { find, member, Steps, written, type Change, type Edits, type Value } from "./tree";
+import { choice } from "./units";
 
 export interface Verdict {
   what: string;
@@ -27,9 +28,6 @@ interface Offer {
 interface Props {
   link: Link;
   scene: string;
-  // Told of every answer; the one that is there.
-  feed: { current: ((head: Answer) => void) | null };
-  latest: { current: Answer | null };
   isAt: (version: number) => boolean;
   edit: (make: (edits: Edits) => Change[]) => boolean;
   program: string;
@@ -60,24 +58,11 @@ export function expected(edits: Edits, offer: Offer, source: string): Change[] {
   return steps.changes;
 }
 
-export function Expectations({ link, scene, feed, latest, isAt, edit, program }: Props) {
-  const [told, setTold] = useState<{ verdicts: Verdict[]; others: number }>({ verdicts: [], others: 0 });
+export function Expectations({ link, scene, isAt, edit, program }: Props) {
   const [offers, setOffers] = useState<{ version: number; figures: Offer[] } | null>(null);
   const [asking, setAsking] = useState(false),
     [words, setWords] = useState(""),
     [figure, setFigure] = useState("");
-  useEffect(() => {
-    let before = "";
-    feed.current = ({ expect, expect_others }) => {
-      const now = JSON.stringify([expect, expect_others]);
-      if (now !== before) setTold({ verdicts: expect, others: expect_others });
-      before = now;
-    };
-    if (latest.current) feed.current(latest.current);
-    return () => {
-      feed.current = null;
-    };
-  }, []);
   const ask = async () => {
     setAsking(true);
     setWords("");
@@ -91,7 +76,9 @@ export function Expectations({ link, scene, feed, latest, isAt, edit, program }:
     }
     setAsking(false);
   };
-  const { verdicts, others } = told,
+  // Verdicts are shown in the units that were chosen.
+  void choice.value;
+  const { verdicts, others } = expectations.value,
     failed = verdicts.filter((one) => !one.holds).map((one) => one.what),
     met = verdicts.length - failed.length;
   const chosen = offers?.figures.find((one) => one.figure === figure) ?? offers?.figures[0];

@@ -90,7 +90,8 @@ export function written(value: number, before: string, whole: boolean, span?: Sp
   let rounded = Number(value.toPrecision(4));
   if (span && !span.log) {
     const step = 10 ** Math.floor(Math.log10((span.high - span.low) / 500));
-    rounded = Number((Math.round(value / step) * step).toPrecision(6));
+    // Of the smallest numbers there are no steps.
+    if (step > 0) rounded = Number((Math.round(value / step) * step).toPrecision(6));
   }
   if (rounded === 0) return "0";
   const size = Math.abs(rounded);

@@ -2,7 +2,7 @@
 // first, and a search leaves those that it names.
 
 import type { VNode } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useReducer, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
 import { Kept, type Link } from "./link";
 import { choice, fieldIn } from "./units";
@@ -80,7 +80,7 @@ export function Sliders({ editor, link, scene, fields, spans }: Props) {
         si,
         bounds,
         spans.get(address),
-        choice.number,
+        choice.value,
         isStarred,
         name,
       ]),
@@ -193,7 +193,8 @@ function Slider({ editor, field, text, spans, name, starred, star }: Row) {
   const bar = useRef<HTMLInputElement>(null);
   // Where it is held: asked of the page once, which would be laid out anew at every move.
   const place = useRef({ left: 0, width: 1 });
-  const [wrong, setWrong] = useState("");
+  const [wrong, setWrong] = useState(""),
+    [, redraw] = useReducer((count: number) => count + 1, 0);
   // What is being typed stays, whatever comes of edits before.
   const [typing, setTyping] = useState<string | null>(null);
   const { address, value, unit, units, si } = field;
@@ -241,7 +242,9 @@ function Slider({ editor, field, text, spans, name, starred, star }: Row) {
   const settle = () => {
     held.current = false;
     const share = shareOf(span!, value);
-    if (share < 0.02 || share > 0.98) spans.set(address, spanOf(field));
+    if (share >= 0.02 && share <= 0.98) return;
+    spans.set(address, spanOf(field));
+    redraw(0);
   };
   const enter = (text: string) => {
     const own = fieldOf(editor.state, address),

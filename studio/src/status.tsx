@@ -1,17 +1,14 @@
 // The line at the foot of the workbench: the verdict, what is remarked, what is expected.
 
-import type { Answer } from "./answer";
+import { answer, staleness } from "./store/run";
+import { RESULTS, tab } from "./store/views";
 import { said } from "./units";
 import "./status.css";
 
-interface Props {
-  answer: Answer | null;
-  stale: string | null;
-  results: () => void;
-}
-
-export function StatusLine({ answer, stale, results }: Props) {
-  const { verdict, warnings = [], expect = [] } = answer ?? {},
+export function StatusLine() {
+  const stale = staleness.value,
+    known = answer.value;
+  const { verdict, warnings = [], expect = [] } = known ?? {},
     met = expect.filter((one) => one.holds).length;
   return (
     <section class="status-line" aria-label="verdict">
@@ -20,9 +17,9 @@ export function StatusLine({ answer, stale, results }: Props) {
           {stale}
         </p>
       )}
-      {answer && verdict && (
+      {known && verdict && (
         <p class={`verdict ${verdict.sort}`} title={said(verdict.text)}>
-          {answer.coarse && <span class="sort">First look, the model is still being judged</span>}{" "}
+          {known.coarse && <span class="sort">First look, the model is still being judged</span>}{" "}
           <b>{said(verdict.headline)}</b> <span class="sentence">{said(verdict.text)}</span>
         </p>
       )}
@@ -40,7 +37,9 @@ export function StatusLine({ answer, stale, results }: Props) {
         <button
           type="button"
           class={met < expect.length ? "failed" : "met"}
-          onClick={results}
+          onClick={() => {
+            tab.value = RESULTS;
+          }}
           title="what the scene expects of this run: see Results"
         >
           {met < expect.length ? "✗" : "✓"} {met} of {expect.length} met

@@ -3,9 +3,8 @@
 
 import { useEffect, useReducer, useRef, useState } from "preact/hooks";
 import { isInText } from "./keys";
-import { Kept, type Link } from "./link";
-
-export const seen = new Kept("tour");
+import type { Link } from "./link";
+import { seen } from "./store/views";
 
 // Brings a part of the page into sight.
 export type Show = (part: "home" | "scene" | "results" | "numbers" | "objects" | "equations" | "text") => void;

@@ -1,6 +1,6 @@
 // Where an object has no motion yet: a button that gives it one, to be drawn on.
 
-import type { Desk } from "../form";
+import type { Desk } from "../form/desk";
 import { find, type Change, type Edits, type Value } from "../tree";
 
 interface Props {

@@ -2,7 +2,7 @@
 // in it is an edit of the text; the curves come from the program.
 
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
-import type { Desk } from "../form";
+import type { Desk } from "../form/desk";
 import type { Link } from "../link";
 import { Steps, type Change, type Edits } from "../tree";
 import { useMotion } from "./asked";

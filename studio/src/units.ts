@@ -5,7 +5,7 @@
 // with value and SI unit. In warnings and causes, which come as text, the quantities are read
 // (`sentence/reading.rs`).
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { signal } from "@preact/signals";
 import { typedNumber } from "./entry";
 import { Kept, type Link } from "./link";
 import type { Field } from "./numbers";
@@ -14,7 +14,7 @@ const kept = new Kept("units");
 const TURN = 2 * Math.PI;
 
 // Of every SI unit the others, with how many of it they are.
-const CHOICES: Record<string, [string, [string, number][]]> = {
+export const CHOICES: Record<string, [string, [string, number][]]> = {
   rad: [
     "angles",
     [
@@ -110,15 +110,15 @@ interface Shown {
 
 // The unit in which values of an SI unit are shown; undefined: whichever reads best.
 const chosen = new Map<string, Shown>();
-// Tells one choice from another.
-export const choice = { number: 0 };
+// Counts the choices: what shows a unit reads it.
+export const choice = signal(0);
 
 function choose(si: string, unit: string): void {
   const found = CHOICES[si]?.[1].find(([name]) => name === unit);
   if (found) chosen.set(si, { unit: found[0], factor: found[1] });
   else chosen.delete(si);
-  choice.number++;
   numbers.prefer((unit) => chosen.get(unit));
+  choice.value = choice.peek() + 1;
 }
 
 function chooseKept(): void {
@@ -141,6 +141,7 @@ export type Sentence = (string | { words: string; value: number; unit: string; d
 
 // A sentence in the units that were chosen.
 export function said(sentence: Sentence): string {
+  void choice.value;
   return sentence
     .map((part) => (typeof part === "string" ? part : (inOwn(part.value, part.unit, part.digits) ?? part.words)))
     .join("");
@@ -191,6 +192,7 @@ export function remeasure(place: Element): void {
 
 // A number of the text as it is shown; null: as it is written.
 export function fieldIn(field: Field): { text: string; unit: string; back: (typed: string) => string } | null {
+  void choice.value;
   const own = chosen.get(field.si.replace("^2", "²")),
     { factor } = field;
   if (!own || factor === null || own.unit === (field.unit || field.si).replace("^2", "²")) return null;
@@ -207,59 +209,14 @@ export function fieldIn(field: Field): { text: string; unit: string; back: (type
   };
 }
 
-export function Units({ link, changed }: { link: Link; changed: () => void }) {
-  const [open, setOpen] = useState(false),
-    place = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    if (!open) return;
-    const away = (event: Event) => {
-      if (!place.current?.contains(event.target as Node)) setOpen(false);
-    };
-    addEventListener("pointerdown", away);
-    return () => removeEventListener("pointerdown", away);
-  }, [open]);
-  const set = (si: string, unit: string) => {
-    choose(si, unit);
-    kept.set(JSON.stringify(Object.fromEntries([...chosen].map(([si, own]) => [si, own.unit]))), link);
-    changed();
-  };
-  return (
-    <div
-      class="units"
-      ref={place}
-      onKeyDown={(event) => {
-        if (event.key === "Escape" && open) {
-          event.preventDefault();
-          setOpen(false);
-          place.current?.querySelector("button")?.focus();
-        }
-      }}
-    >
-      <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>
-        Units
-      </button>
-      {open && (
-        <div class="units-list" role="group" aria-label="units shown">
-          <p class="soft">Figures, charts and numbers are shown in these; the text stays as it is.</p>
-          {Object.entries(CHOICES).map(([si, [name, units]]) => (
-            <label key={si}>
-              <span>{name}</span>
-              <select
-                aria-label={name}
-                value={chosen.get(si)?.unit ?? ""}
-                onChange={(event) => set(si, event.currentTarget.value)}
-              >
-                <option value="">whichever reads best</option>
-                {units.map(([unit]) => (
-                  <option key={unit} value={unit}>
-                    {unit}
-                  </option>
-                ))}
-              </select>
-            </label>
-          ))}
-        </div>
-      )}
-    </div>
-  );
+// The unit that was chosen for an SI unit; empty: whichever reads best.
+export function unitOf(si: string): string {
+  void choice.value;
+  return chosen.get(si)?.unit ?? "";
+}
+
+// Shows values of an SI unit in another, now and later.
+export function chooseUnit(si: string, unit: string, link: Link): void {
+  choose(si, unit);
+  kept.set(JSON.stringify(Object.fromEntries([...chosen].map(([si, own]) => [si, own.unit]))), link);
 }

@@ -1,0 +1,69 @@
+// The file that is open, what is done with it, and the other files of its folder.
+
+import { computed, signal } from "@preact/signals";
+import { link } from "./line";
+import { clear, tell } from "./notices";
+import { editor, isSettled } from "./text";
+
+export interface Status {
+  saved: boolean;
+  undo: boolean;
+  redo: boolean;
+  // Of the file on the disk: "same", "changed" by another program or "gone"; and which text it had.
+  disk: string;
+  base: string;
+}
+export interface Draft {
+  // Seconds since 1970.
+  time: number;
+  // It was made of another text than the file has.
+  other_base: boolean;
+}
+
+export const folder = signal(""),
+  scenes = signal<string[]>([]);
+// The scene that is open; empty: none.
+export const scene = signal("");
+export const status = signal<Status>({ saved: true, undo: false, redo: false, disk: "same", base: "" });
+export const draft = signal<Draft | null>(null);
+export const isSaved = computed(() => status.value.saved && isSettled.value);
+
+// Requests in words of the reader.
+const DEEDS: Record<string, string> = {
+  save: "saving",
+  save_as: "saving",
+  new: "new scene",
+  open: "other scene",
+  undo: "undoing",
+  redo: "redoing",
+};
+
+// Asks the server for it once it has all edits; false: no server answers.
+export function request(type: string, more = {}): boolean {
+  clear("deed");
+  if (!link.isOpen) {
+    tell(`The server does not answer: there is no ${DEEDS[type] ?? "answer"} until it is back.`);
+    return false;
+  }
+  editor.peek()!.when(() => link.send({ type, ...more }));
+  return true;
+}
+
+export function saveAs(): void {
+  const name = prompt("Name of the new file in this folder", scene.peek().replace(/\.json$/, "-2.json"));
+  if (name) request("save_as", { scene: name });
+}
+
+export function createScene(): void {
+  const name = prompt("Name of the new scene in this folder", "scene.json");
+  if (name) request("new", { scene: name.endsWith(".json") ? name : `${name}.json` });
+}
+
+export function restoreDraft(): void {
+  request("draft", { restore: true });
+}
+
+export function discardDraft(): void {
+  editor.peek()!.forgive();
+  request("draft", { restore: false });
+}

@@ -1,0 +1,154 @@
+// What the server says of connection, scene and file: a scene is opened, comes back after the
+// connection was lost, or is changed by others.
+
+import { batch } from "@preact/signals";
+import type { Editor } from "../editor";
+import { shownScene, type Message } from "../link";
+import { offered as unitsOffered } from "../units";
+import { draft, folder, scene, scenes, status, type Status } from "./file";
+import type { Hearing } from "../asking";
+import { check, faults, guide, isFaulty, newest, objects, parts } from "./findings";
+import { offered as layoutOffered } from "./layout";
+import { isConnected, link, program, self } from "./line";
+import { clear, tell } from "./notices";
+import { board, forget, isStale, openings } from "./run";
+import { editor, redraw, spans } from "./text";
+import { enterScene, isHome, seen, selection } from "./views";
+
+// The scene is opened again, since the connection was lost: the page stays where it is.
+let isAgain = false;
+// The text that the file had before the server was started again; null: it was not, or all is well.
+let baseBefore: string | null = null;
+// Those that hear of a version that was checked, at little cost.
+export const hearing: Hearing = { checked: () => {}, ask: () => {} };
+
+function welcome(message: Message): void {
+  self.value = message.window;
+  folder.value = message.folder;
+  program.value = message.program;
+  seen.offer(message.settings);
+  layoutOffered(message.settings);
+  if (unitsOffered(message.settings)) unitsChanged();
+  void link.get("/api/scenes").then(({ scenes: found }) => {
+    scenes.value = found;
+    isAgain = scene.peek() !== "";
+    const wanted = scene.peek() || (shownScene.get() ?? message.scene),
+      { since } = editor.peek()!;
+    if (wanted) link.send({ type: "open", scene: wanted, ...(isAgain && since ? { since } : {}) });
+    else isHome.value = true;
+  });
+}
+
+// Everything is shown in other units.
+export function unitsChanged(): void {
+  board.peek()?.again();
+  redraw();
+}
+
+function resumed(message: Message): void {
+  isAgain = false;
+  editor.peek()!.resume(message);
+  openings.value = openings.peek() + 1;
+}
+
+// Nothing of the scene before stays.
+function begin(name: string): void {
+  objects.value = [];
+  selection.value = [];
+  faults.value = [];
+  void link.get(`/api/parts?scene=${encodeURIComponent(name)}`).then(
+    (found) => {
+      parts.value = found;
+    },
+    () => {},
+  );
+  if (!scenes.peek().includes(name)) scenes.value = [...scenes.peek(), name].sort();
+  spans.clear();
+  forget();
+}
+
+// What a server that was started again does not have is owed to it.
+function owe(own: Editor, message: Message, left: { text: string; heard: string } | null): void {
+  // The draft is an older text of this window, unless the file has been changed since.
+  const isOlder = left !== null && message.draft !== null && !message.draft.other_base;
+  draft.value = isOlder ? null : message.draft;
+  if (isOlder) link.send({ type: "draft", restore: true });
+  baseBefore = left ? status.peek().base : null;
+  if (left && !own.owe(left))
+    tell("Another window changed the same lines while the server was away. Undo shows them.", "file");
+}
+
+function opened(message: Message): void {
+  const own = editor.peek()!,
+    isOther = message.scene !== scene.peek(),
+    left = isAgain && !isOther ? own.left(status.peek().saved) : null;
+  if (isOther) begin(message.scene);
+  scene.value = message.scene;
+  if (!isAgain) enterScene();
+  isAgain = false;
+  tell("");
+  isFaulty.value = false;
+  own.open(message);
+  redraw();
+  owe(own, message, left);
+  openings.value = openings.peek() + 1;
+  void own.guide().then(
+    (found) => {
+      guide.value = found;
+    },
+    () => {},
+  );
+}
+
+function statusChanged(message: Message): void {
+  const now = message as unknown as Status & { draft: boolean };
+  if (JSON.stringify(now) !== JSON.stringify(status.peek())) clear("deed");
+  if (now.saved) clear("file");
+  status.value = now;
+  if (baseBefore !== null && baseBefore !== now.base)
+    tell(
+      "The file was changed while the server was away. Undo shows the file as it is now, Save writes over it.",
+      "file",
+    );
+  baseBefore = null;
+  if (!now.draft) {
+    draft.value = null;
+    editor.peek()!.lock(false);
+  }
+}
+
+function refused(message: Message): void {
+  tell(message.message);
+  isAgain = false;
+  if (!scene.peek()) isHome.value = true;
+}
+
+function checked(message: Message): void {
+  if (!check(message)) return;
+  isStale.value = isFaulty.peek();
+  hearing.checked(newest.peek());
+}
+
+function failed(message: Message): void {
+  tell(message.message, "run");
+  isStale.value = true;
+}
+
+// Hears the server from now on.
+export function listen(): void {
+  link.state = (isOpen) => {
+    isConnected.value = isOpen;
+    if (isOpen) clear("deed");
+    else editor.peek()!.lost();
+  };
+  for (const [type, act] of Object.entries({
+    welcome,
+    resumed,
+    opened,
+    status: statusChanged,
+    checked,
+    failed,
+    error: refused,
+  }))
+    link.on(type, (message) => batch(() => act(message)));
+}
