@@ -2,6 +2,7 @@
 
 use crate::answer::Answer;
 use crate::fault;
+use crate::prepared::{Prepared, prepare};
 use crate::studies::{cam, compare, find, law, linkages, map, methods, reduce, run, steady};
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
@@ -205,6 +206,17 @@ impl Scene {
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (parameters, figures, digits))]
+    fn prepare(
+        &self,
+        py: Python<'_>,
+        parameters: Vec<String>,
+        figures: Vec<String>,
+        digits: Option<u8>,
+    ) -> PyResult<Prepared> {
+        prepare(py, self.asked(), (parameters, figures), digits)
     }
 
     #[pyo3(signature = (x, y, figure, check, digits, threads, panels, progress))]
