@@ -93,17 +93,10 @@ class PreparedScene:
         """The points at rows of values, a column a parameter; of a single parameter the values
         may stand in a plain list. On all threads, or on so many; the results do not depend
         on their number."""
-        import numpy
-
         from dam.scene import _told
 
-        rows = numpy.asarray(points, dtype=float)
-        if rows.ndim == 1 and len(self.parameters) == 1:
-            rows = rows.reshape(-1, 1)
-        if rows.ndim != 2 and rows.size:
-            raise ValueError(f"a table has rows and columns, and not {rows.ndim} dimensions")
-        listed: list[list[float]] = rows.tolist() if rows.size else []
-        return Points(self, listed, self._core.table(listed, threads, _told(progress)))
+        rows = _rows(points)
+        return Points(self, rows, self._core.table(rows, threads, _told(progress)))
 
     def __reduce__(self) -> tuple[Callable[..., PreparedScene], tuple[object, ...]]:
         task = (self._scene, self.parameters, self.figures, self._check, self._digits)
@@ -117,7 +110,16 @@ class PreparedScene:
 class Point:
     """The scene at some values of its parameters."""
 
-    __slots__ = ("_determined", "_moved", "_prepared", "_values", "cause", "doubts", "judgement", "verdict")
+    __slots__ = (
+        "_determined",
+        "_moved",
+        "_prepared",
+        "_values",
+        "cause",
+        "doubts",
+        "judgement",
+        "verdict",
+    )
 
     verdict: str
     """Verdict: `in_working_order`, `lift_off`, `refused`, …"""
@@ -264,6 +266,12 @@ def _list(values: Numbers) -> list[float]:
     listed = getattr(values, "tolist", None)
     plain: list[float] = list(values) if listed is None else listed()
     return plain
+
+
+def _rows(points: Rows) -> list[list[float]]:
+    listed = getattr(points, "tolist", None)
+    plain: list[float | Sequence[float]] = list(points) if listed is None else listed()
+    return [[row] if isinstance(row, (int, float)) else _list(row) for row in plain]
 
 
 def _array(values: Sequence[float]) -> numpy.typing.NDArray[numpy.float64]:

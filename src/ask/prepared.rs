@@ -36,7 +36,6 @@ pub struct PreparedScene {
     values: Vec<f64>,
     figure_units: Vec<String>,
     remarks: Vec<String>,
-    threads: Option<usize>,
 }
 
 /// Points of a prepared scene, in the order of the rows of values.
@@ -113,7 +112,6 @@ impl Scene {
             values,
             figure_units,
             remarks,
-            threads: None,
         })
     }
 }
@@ -125,14 +123,6 @@ impl PreparedScene {
     pub fn check_determined(mut self, digits: u8) -> Self {
         self.prepared.check_determined = true;
         self.prepared.digits = digits;
-        self
-    }
-
-    /// With a number of threads for tables; default: one for every processor core. Results do
-    /// not depend on it.
-    #[must_use]
-    pub fn threads(mut self, threads: usize) -> Self {
-        self.threads = Some(threads);
         self
     }
 
@@ -196,22 +186,24 @@ impl PreparedScene {
     /// # Errors
     /// As of [`Self::at`], with all rows that are wrong.
     pub fn table(&self, rows: &[impl AsRef<[f64]> + Sync]) -> Result<PointTable, Error> {
-        self.table_within(rows, &Control::default(), &|_| {})
+        self.table_within(rows, None, &Control::default(), &|_| {})
     }
 
-    /// The same, ended from outside; `heard` is told the number of points that are done, from
-    /// any thread.
+    /// The same on a number of threads (`None`: one for every processor core), on which results
+    /// do not depend; ended from outside. `heard` is told the number of points that are done,
+    /// from any thread.
     ///
     /// # Errors
     /// As of [`Self::table`]; it was ended before the last point.
     pub fn table_within(
         &self,
         rows: &[impl AsRef<[f64]> + Sync],
+        threads: Option<usize>,
         control: &Control<'_>,
         heard: &(dyn Fn(usize) + Sync),
     ) -> Result<PointTable, Error> {
         self.refuse_wrong(rows)?;
-        let points = self.prepared.table(rows, self.threads, control, heard);
+        let points = self.prepared.table(rows, threads, control, heard);
         Ok(PointTable {
             points: points.ok_or_else(|| Error::question("the table was interrupted"))?,
             figures: self.figures().len(),

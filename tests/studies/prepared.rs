@@ -1,6 +1,5 @@
 //! Prepared scenes: a point is the run of the scene with its values set.
 
-use dam::ask::{Point, PreparedScene};
 use dam::prelude::*;
 use dam::studies::Control;
 use dam::studies::lookup::span_of_run;
@@ -233,11 +232,12 @@ fn points_do_not_depend_on_threads_nor_on_the_points_before() {
     let mut rows = around(&prepared, 0.4, 12);
     rows[5][0] = -1.0;
     rows[7][1] = 1e300;
-    let points = |prepared: PreparedScene| -> (Vec<Point>, PreparedScene) {
-        (prepared.table(&rows).unwrap().points, prepared)
+    let points = |threads: usize| {
+        let free = Control::default();
+        let found = prepared.table_within(&rows, Some(threads), &free, &|_| {});
+        found.unwrap().points
     };
-    let (one, prepared) = points(prepared.threads(1));
-    let (three, prepared) = points(prepared.threads(3));
+    let (one, three) = (points(1), points(3));
     assert_eq!(one, three);
     assert_eq!(
         (one[5].verdict, one[7].verdict),
