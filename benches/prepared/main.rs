@@ -20,7 +20,11 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 const ROUNDS: usize = 15;
 const COUNT: usize = 20;
 const PARAMETERS: [&str; 2] = ["rocker.inertia", "rocker.stiffness"];
-const FIGURES: [&str; 3] = ["rocker.delta_max", "rocker.pair.separations", "rocker.sigma"];
+const FIGURES: [&str; 3] = [
+    "rocker.delta_max",
+    "rocker.pair.separations",
+    "rocker.sigma",
+];
 
 fn scene() -> Scene {
     let scenarios = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenarios");
@@ -83,7 +87,10 @@ fn main() {
         ("a point of a table", least[1] / count),
         ("a point by itself", least[2] / count),
         ("a point of three figures", least[3] / count),
-        ("a run of the scene with its values set", least[4] / COUNT as f64),
+        (
+            "a run of the scene with its values set",
+            least[4] / COUNT as f64,
+        ),
     ];
     println!("| one thread | µs | in cells |");
     println!("| --- | --- | --- |");

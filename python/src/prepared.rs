@@ -1,6 +1,7 @@
 //! Prepared scenes.
 
 use crate::answer::{Column, Columns};
+use crate::scene::sound_threads;
 use crate::work::{compute, compute_here};
 use dam::Scene;
 use dam::ask::{Point, PointFigure, PointTable, PreparedScene};
@@ -105,6 +106,7 @@ impl Prepared {
         threads: Option<usize>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Points> {
+        sound_threads(threads)?;
         let prepared = Arc::clone(&self.prepared);
         let found = compute(py, progress.as_ref(), move |watch| {
             let count = rows.len() as f64;

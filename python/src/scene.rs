@@ -563,7 +563,7 @@ impl Scene {
     }
 }
 
-fn sound_threads(threads: Option<usize>) -> PyResult<()> {
+pub(crate) fn sound_threads(threads: Option<usize>) -> PyResult<()> {
     if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
         let message = format!("between 1 and {MOST_THREADS} threads work on a question");
         return Err(PyValueError::new_err(message));

@@ -66,7 +66,7 @@ def test_figures_that_are_not_determined_say_so(scenarios: Path) -> None:
     figures = ["rocker.final.displacement"]
     plain = undamped.prepare("rocker.inertia", figures[0])
     point = plain.at(plain.values)
-    assert point.determined == [None] and "without damping" in point.doubts[0]
+    assert point.determined == [None] and "no damping" in point.doubts[0]
     checked = undamped.prepare(["rocker.inertia"], figures, check=True, digits=7)
     assert checked.at(plain.values).determined == [False]
     table = checked.table([plain.values])
@@ -81,7 +81,7 @@ def test_what_is_wrong_is_said_at_once(rocker: dam.Scene, prepared: dam.Prepared
         rocker.prepare(["rocker.inertai", "rocker.kind"], ["rocker.delta_mx"])
     assert len(wrong.value.faults) == 3
     assert "did you mean `rocker.inertia`?" in str(wrong.value)
-    assert "did you mean `rocker.delta_max`?" in str(wrong.value)
+    assert "did you mean `rocker.delta_max`" in str(wrong.value)
     for values in ([0.1], [0.1, math.nan], [math.inf, 1e7], []):
         with pytest.raises(dam.SceneError):
             prepared(values)

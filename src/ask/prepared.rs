@@ -13,7 +13,7 @@ use crate::studies::axis::Parameter;
 use crate::studies::clock::not_followable;
 use crate::studies::condition::Condition;
 use crate::studies::lookup::is_rigid;
-use crate::studies::prepared::{Point, Prepared, finest_levels, shortfall};
+use crate::studies::prepared::{Point, PointQuestion, Prepared, finest_levels, shortfall};
 use crate::studies::rigid::Rigid;
 use crate::studies::{Control, RunSettings};
 use nalgebra::DMatrix;
@@ -97,17 +97,19 @@ impl Scene {
         remarks.extend(remark_on_levels(&levels));
         let document = self.document().without_expectations().with_levels(levels);
         let fixed = self.settings().arguments().to_vec();
-        let prepared = Prepared::of(
-            Arc::new(document),
-            Arc::clone(self.catalogue()),
+        let question = PointQuestion {
+            document: Arc::new(document),
+            catalogue: Arc::clone(self.catalogue()),
             fixed,
-            (asked, figures),
-        );
+            parameters: asked,
+            figures,
+            digits: None,
+        };
         // What the text of the scene does not take is seen here, and not at every point.
-        prepared.check(&values)?;
+        question.check(&values)?;
         Ok(PreparedScene {
             parameters: parameters.into_iter().map(str::to_owned).collect(),
-            prepared,
+            prepared: Prepared::new(question),
             parameter_units,
             values,
             figure_units,
@@ -121,8 +123,7 @@ impl PreparedScene {
     /// shows whether its figures are determined to so many digits.
     #[must_use]
     pub fn check_determined(mut self, digits: u8) -> Self {
-        self.prepared.check_determined = true;
-        self.prepared.digits = digits;
+        self.prepared.question.digits = Some(digits);
         self
     }
 
@@ -143,7 +144,7 @@ impl PreparedScene {
 
     /// Addresses of the figures.
     pub fn figures(&self) -> &[String] {
-        &self.prepared.figures
+        &self.prepared.question.figures
     }
 
     /// SI units of the figures; empty of counts, answers and pure numbers.
@@ -153,7 +154,7 @@ impl PreparedScene {
 
     /// Levels of the objects that leave theirs open.
     pub fn levels(&self) -> &Levels {
-        self.prepared.levels()
+        self.prepared.question.levels()
     }
 
     /// What is to be known of the figures of all points, a line each: levels that were chosen,
@@ -304,7 +305,7 @@ fn numbers(reading: &Reading, paths: &[&str], faults: &mut Vec<Diagnostic>) -> V
                 let message = format!("`{path}` is {instead}, and a parameter is a number");
                 faults.push(Diagnostic::error("question", message).hint(match instead {
                     "a group of properties" | "a list" => "name one of its numbers",
-                    _ => "compare such values by `Scene::compare`",
+                    _ => "compare such values by `compare`",
                 }));
             }
             Err(None) => {

@@ -4,7 +4,7 @@
 //!
 //! The addresses are read in `frontend::scene::study_address`. `attach` adds such results to
 //! those of a run (`Figures::studies`): those that the accuracy or the expectations of a scene
-//! name, and those of `compare --figure`. A map requests them for each cell.
+//! name, and those of `compare --figure`. A prepared scene requests them for each point.
 
 use super::cam::{
     CONTACT_RESULTS, CamForce, ElasticContact, Reserve, contact_result, disc_cam, preload_unit,

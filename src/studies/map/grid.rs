@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::study::Study;
 use crate::studies::Control;
-use crate::studies::prepared::{Bench, is_checked_cell};
+use crate::studies::prepared::{Bench, evaluate, is_checked_cell};
 use crate::studies::side_by_side::{side_by_side, threads as number_of_threads};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -185,9 +185,9 @@ impl<'w> Work<'w> {
         let (x, y) = self.study.parameters_at_cell(cell);
         let values = [x, y.unwrap_or_default()];
         let values = &values[..1 + usize::from(y.is_some())];
-        let checked = is_checked_cell(panel, cell);
-        let prepared = self.study.panel(panel);
-        let Some(found) = prepared.point_with(bench, values, checked, self.control) else {
+        let asked = (values, is_checked_cell(panel, cell));
+        let question = self.study.question(panel);
+        let Some(found) = evaluate(question, bench, asked, self.control) else {
             return false;
         };
         self.listener.cell();

@@ -1,7 +1,7 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
 use super::default_figure::{default_figure, no_elastic_object_message};
-use super::panels::Panels;
+use super::panels::{Panel, Panels};
 use crate::dynamics::system::System;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::lower::lower;
@@ -9,7 +9,9 @@ use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading};
 use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
 use crate::studies::lookup::is_rigid;
-use crate::studies::prepared::{Prepared, check_figure, figure_unit, finest_levels, shortfall};
+use crate::studies::prepared::{
+    PointQuestion, check_figure, figure_unit, finest_levels, shortfall,
+};
 use crate::studies::rigid::Rigid;
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -45,8 +47,8 @@ pub struct Question {
 /// A question about a scene, found to make sense.
 pub struct Study<'a> {
     document: Document,
-    /// The panels, ready for their cells.
-    prepared: Vec<Prepared<'a>>,
+    /// What is asked at the cells of each panel.
+    questions: Vec<PointQuestion<'a>>,
     catalogue: &'a (dyn Catalogue + Sync),
     overrides: Vec<String>,
     x_values: Vec<f64>,
@@ -108,7 +110,7 @@ impl<'a> Study<'a> {
         check(&question).map_err(StudyFault::Question)?;
         let mut study = Self {
             document: document.clone(),
-            prepared: Vec::new(),
+            questions: Vec::new(),
             catalogue,
             overrides: question.overrides,
             x_values: question.x.values(),
@@ -140,28 +142,34 @@ impl<'a> Study<'a> {
         let figures = std::slice::from_ref(&study.figure);
         study.levels = finest_levels(study.probed(), figures);
         study.document = study.document.clone().with_levels(study.levels.clone());
-        study.prepared = study.prepared_panels();
+        study.questions = study.questions_of_panels();
         study.hash = study.digest(&hashes);
         study.rigid = study.label();
         study.shortfalls = study.inaccurate();
         Ok(study)
     }
 
-    /// The panels, ready for their cells.
-    fn prepared_panels(&self) -> Vec<Prepared<'a>> {
+    /// What is asked at the cells of each panel.
+    fn questions_of_panels(&self) -> Vec<PointQuestion<'a>> {
         let bare = Arc::new(self.document.without_expectations());
-        let parameters = std::iter::once(&self.x).chain(&self.y);
-        let parameters: Vec<_> = parameters.map(Axis::parameter).collect();
-        let panels = self.panels.panels.iter().map(|panel| {
-            let fixed = self.overrides.iter().chain(&panel.settings).cloned();
-            let asked = (parameters.clone(), vec![self.figure.clone()]);
-            let catalogue = Arc::new(self.catalogue);
-            let mut prepared = Prepared::of(bare.clone(), catalogue, fixed.collect(), asked);
-            prepared.check_determined = self.check_determined;
-            prepared.digits = self.digits;
-            prepared
-        });
-        panels.collect()
+        let panels = self.panels.panels.iter();
+        let question = |panel: &Panel| PointQuestion {
+            document: bare.clone(),
+            catalogue: Arc::new(self.catalogue),
+            fixed: self
+                .overrides
+                .iter()
+                .chain(&panel.settings)
+                .cloned()
+                .collect(),
+            parameters: std::iter::once(&self.x)
+                .chain(&self.y)
+                .map(Axis::parameter)
+                .collect(),
+            figures: vec![self.figure.clone()],
+            digits: self.check_determined.then_some(self.digits),
+        };
+        panels.map(question).collect()
     }
 
     /// The points, of those that are tried beforehand, at which the figure does not hold the
@@ -297,9 +305,9 @@ impl<'a> Study<'a> {
         hash
     }
 
-    /// A panel, ready for its cells.
-    pub(super) fn panel(&self, panel: usize) -> &Prepared<'a> {
-        &self.prepared[panel]
+    /// What is asked at the cells of a panel.
+    pub(super) fn question(&self, panel: usize) -> &PointQuestion<'a> {
+        &self.questions[panel]
     }
 
     /// Settings of a cell, counted along the x axis first.

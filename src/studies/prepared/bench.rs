@@ -1,6 +1,6 @@
 //! A scene that is changed from point to point: decoded once for each thread.
 
-use super::Prepared;
+use super::question::PointQuestion;
 use super::rigid::{Path, RigidMotion};
 use crate::dynamics::model::Model;
 use crate::dynamics::system::MotionRanges;
@@ -60,15 +60,15 @@ impl Bench {
     /// Shows the scene of a point, or what is wrong with it, and what is kept beside it.
     pub(super) fn show<T>(
         &mut self,
-        prepared: &Prepared<'_>,
+        question: &PointQuestion<'_>,
         values: &[f64],
         to: impl FnOnce(Result<(&TypedScene, &mut MotionCache), Diagnostics>) -> T,
     ) -> T {
-        let settings = prepared.settings(values);
+        let settings = question.settings(values);
         let kept = &mut self.kept;
         let varied = match &mut self.varied {
             Some(varied) => varied,
-            none => match prepared.variation(&settings) {
+            none => match question.variation(&settings) {
                 Ok(varied) => {
                     *kept = MotionCache::default();
                     none.insert(varied)
@@ -81,7 +81,7 @@ impl Bench {
             return to(Ok((varied.scene(), kept)));
         }
         kept.turn_to(None);
-        match prepared.read(settings) {
+        match question.read(settings) {
             Ok(reading) => to(Ok((&reading.scene, kept))),
             Err(diagnostics) => to(Err(diagnostics)),
         }

@@ -19,123 +19,80 @@ mod figure;
 mod judge;
 mod levels;
 mod point;
+mod question;
 mod rigid;
-mod table;
 mod verdict;
 
 pub(super) use bench::Bench;
 pub(super) use figure::{check_figure, unit as figure_unit};
 pub(crate) use levels::{finest_levels, shortfall};
+pub(super) use point::evaluate;
 pub use point::{MOST_STEPS, Point, PointFigure};
+pub use question::PointQuestion;
 pub use rigid::{RigidMotion, rigid_motion};
 pub use verdict::{Family, NEAR_HARMONIC, RESONANCE, STEADY, THROWN_OFF, Verdict};
 
 use super::Control;
-use super::axis::Parameter;
+use super::side_by_side::{side_by_side, threads as number_of_threads};
 use crate::dynamics::audit::{SEED, draw};
-use crate::frontend::diagnostics::Diagnostics;
-use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, Variation};
-use std::fmt;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Of so many points the equations of motion of one are checked.
 const ONE_OF: u64 = 16;
 
 /// A scene made ready for many values of its parameters.
+#[derive(Debug)]
 pub struct Prepared<'a> {
-    /// The scene without what points do not need.
-    document: Arc<Document>,
-    catalogue: Arc<dyn Catalogue + Send + Sync + 'a>,
-    /// Settings made before those of the parameters.
-    fixed: Vec<String>,
-    /// The parameters.
-    pub parameters: Vec<Parameter>,
-    /// Addresses of the figures.
-    pub figures: Vec<String>,
-    /// True: every point is run a second time with its loads changed by one part in 10¹⁰, to
-    /// see whether its figures are determined.
-    pub check_determined: bool,
-    /// Digits to which a figure is to be known, so as to count as determined.
-    pub digits: u8,
+    /// What is asked at every point.
+    pub question: PointQuestion<'a>,
     /// What threads worked with before, for those that come after them.
     benches: Mutex<Vec<Bench>>,
 }
 
 impl<'a> Prepared<'a> {
-    /// A scene whose parameters and figures are known to exist. `document` is without
-    /// expectations, and has the levels of the objects that leave theirs open.
-    pub(crate) fn of(
-        document: Arc<Document>,
-        catalogue: Arc<dyn Catalogue + Send + Sync + 'a>,
-        fixed: Vec<String>,
-        (parameters, figures): (Vec<Parameter>, Vec<String>),
-    ) -> Self {
+    /// Ready for a question whose parameters and figures are known to exist.
+    pub(crate) fn new(question: PointQuestion<'a>) -> Self {
         Self {
-            document,
-            catalogue,
-            fixed,
-            parameters,
-            figures,
-            check_determined: false,
-            digits: 3,
+            question,
             benches: Mutex::default(),
         }
-    }
-
-    /// Levels chosen for objects that leave theirs open; the same for all points.
-    pub fn levels(&self) -> &Levels {
-        self.document.levels()
     }
 
     /// The point at some values of the parameters, one for each, all finite; `None`: ended from
     /// outside. The equations of motion of one of 16 points are checked, chosen by its values.
     pub fn point(&self, values: &[f64], control: &Control<'_>) -> Option<Point> {
-        let mut bench = HeldBench::new(self);
-        self.point_with(&mut bench.bench, values, is_sample(values), control)
+        HeldBench::new(self).point(values, control)
     }
 
-    /// The same by what a thread keeps from point to point. `checked`: the equations of motion
-    /// are checked.
-    pub(super) fn point_with(
+    /// The points at rows of values, in their order, each as [`Self::point`] gives it; `None`:
+    /// ended from outside. On `threads` threads (`None`: one for every processor core).
+    /// `heard` is told the number of points that are done, from any thread.
+    pub fn table(
         &self,
-        bench: &mut Bench,
-        values: &[f64],
-        checked: bool,
+        rows: &[impl AsRef<[f64]> + Sync],
+        threads: Option<usize>,
         control: &Control<'_>,
-    ) -> Option<Point> {
-        point::evaluate(self, bench, (values, checked), control)
-    }
-
-    /// Whether the scene takes these values of its parameters at all.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the scene at these values.
-    pub(crate) fn check(&self, values: &[f64]) -> Result<(), Diagnostics> {
-        self.variation(&self.settings(values)).map(drop)
-    }
-
-    /// How far a figure may move, as a share of its scale, and still be known to
-    /// the digits asked for.
-    fn precision(&self) -> f64 {
-        10f64.powi(-i32::from(self.digits))
-    }
-
-    /// The settings of a point.
-    fn settings(&self, values: &[f64]) -> Vec<String> {
-        let each = self.parameters.iter().zip(values);
-        each.map(|(parameter, &value)| parameter.setting(value))
+        heard: &(dyn Fn(usize) + Sync),
+    ) -> Option<Vec<Point>> {
+        let found: Vec<Mutex<Option<Point>>> = rows.iter().map(|_| Mutex::default()).collect();
+        let done = AtomicUsize::new(0);
+        let take = |held: &mut HeldBench<'_>, number: usize| {
+            let point = match control.is_spent() {
+                true => None,
+                false => held.point(rows[number].as_ref(), control),
+            };
+            let goes_on = point.is_some();
+            *found[number].lock().unwrap_or_else(PoisonError::into_inner) = point;
+            heard(done.fetch_add(1, Relaxed) + 1);
+            goes_on
+        };
+        let threads = number_of_threads(threads);
+        side_by_side(rows.len(), threads, || HeldBench::new(self), take);
+        let found = found.into_iter();
+        found
+            .map(|point| point.into_inner().unwrap_or_else(PoisonError::into_inner))
             .collect()
-    }
-
-    /// The scene with first settings of what varies.
-    fn variation(&self, settings: &[String]) -> Result<Variation, Diagnostics> {
-        Variation::new(&self.document, &*self.catalogue, &self.fixed, settings)
-    }
-
-    /// Decodes the scene of a point as a whole.
-    fn read(&self, settings: Vec<String>) -> Result<Reading, Diagnostics> {
-        let all = self.fixed.iter().cloned().chain(settings);
-        self.document.scene(&*self.catalogue, &Overrides::new(all))
     }
 
     fn benches(&self) -> MutexGuard<'_, Vec<Bench>> {
@@ -154,6 +111,16 @@ impl<'p> HeldBench<'p> {
         let bench = prepared.benches().pop().unwrap_or_default();
         Self { prepared, bench }
     }
+
+    fn point(&mut self, values: &[f64], control: &Control<'_>) -> Option<Point> {
+        let checked = is_checked_point(values);
+        evaluate(
+            &self.prepared.question,
+            &mut self.bench,
+            (values, checked),
+            control,
+        )
+    }
 }
 
 impl Drop for HeldBench<'_> {
@@ -168,7 +135,7 @@ impl Drop for HeldBench<'_> {
 
 /// True of the points whose equations of motion are checked: one of so many, drawn by the
 /// values.
-fn is_sample(values: &[f64]) -> bool {
+fn is_checked_point(values: &[f64]) -> bool {
     let mixed = values
         .iter()
         .fold(SEED, |mixed, value| draw(mixed ^ value.to_bits()));
@@ -178,14 +145,4 @@ fn is_sample(values: &[f64]) -> bool {
 /// The same of a cell of a map; the first of all is checked too.
 pub(super) fn is_checked_cell(panel: usize, cell: usize) -> bool {
     cell == 0 || draw(SEED ^ ((panel as u64) << 32) ^ cell as u64).is_multiple_of(ONE_OF)
-}
-
-impl fmt::Debug for Prepared<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Prepared")
-            .field("parameters", &self.parameters)
-            .field("figures", &self.figures)
-            .field("levels", self.levels())
-            .finish_non_exhaustive()
-    }
 }

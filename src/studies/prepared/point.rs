@@ -1,10 +1,10 @@
 //! One point: what the scene is, does and is worth at some values of its parameters.
 
-use super::Prepared;
 use super::bench::{Bench, MotionCache};
 use super::ends::failure_verdict;
 use super::figure::{FoundFigures, requested};
 use super::judge::{self, Begun, Evidence, judge};
+use super::question::PointQuestion;
 use super::rigid::RigidMotion;
 use super::verdict::Verdict;
 use crate::dynamics::integrate::Method;
@@ -64,7 +64,7 @@ pub struct PointFigure {
     /// 10¹⁰, as a share of its scale; `None`: not asked, no value, or the figure is
     /// gone then.
     pub moved: Option<f64>,
-    /// Whether the figure is known to the digits asked for ([`Prepared::digits`]):
+    /// Whether the figure is known to the digits asked for ([`PointQuestion::digits`]):
     /// it moves by no more than one of the last; `None`: not asked, or no value.
     pub determined: Option<bool>,
 }
@@ -88,18 +88,18 @@ impl Point {
 
 /// Works out one point; `None` when interrupted. `checked`: its equations of motion are
 /// checked.
-pub(super) fn evaluate(
-    prepared: &Prepared<'_>,
+pub(in crate::studies) fn evaluate(
+    question: &PointQuestion<'_>,
     bench: &mut Bench,
     (values, checked): (&[f64], bool),
     control: &Control<'_>,
 ) -> Option<Point> {
-    let point = bench.show(prepared, values, |scene| {
+    let point = bench.show(question, values, |scene| {
         let refused = |cause: String| Some(Point::without_values(Verdict::Refused, cause));
         match scene {
-            Ok((scene, kept)) => match prepare(scene, &prepared.figures) {
+            Ok((scene, kept)) => match prepare(scene, &question.figures) {
                 Ok((system, settings)) => point_of_system(
-                    (prepared, checked),
+                    (question, checked),
                     (scene, &system),
                     &settings,
                     kept,
@@ -115,14 +115,14 @@ pub(super) fn evaluate(
         }
     });
     let mut point = point?;
-    let count = prepared.figures.len();
+    let count = question.figures.len();
     point.figures.resize(count, PointFigure::default());
     Some(point)
 }
 
 /// The point of a system; `None` when interrupted.
 fn point_of_system(
-    (prepared, checked): (&Prepared<'_>, bool),
+    (question, checked): (&PointQuestion<'_>, bool),
     (scene, system): (&TypedScene, &System),
     settings: &RunSettings,
     kept: &mut MotionCache,
@@ -133,7 +133,7 @@ fn point_of_system(
         system.take_samples(samples.clone());
     }
     let task = Task {
-        prepared,
+        question,
         scene,
         system,
         settings,
@@ -191,7 +191,7 @@ fn in_words(faults: &[Fault]) -> String {
 /// Task of a point: what is run, and what is asked of it.
 #[derive(Clone, Copy)]
 struct Task<'t> {
-    prepared: &'t Prepared<'t>,
+    question: &'t PointQuestion<'t>,
     scene: &'t TypedScene,
     system: &'t System,
     settings: &'t RunSettings,
@@ -235,19 +235,20 @@ impl Task<'_> {
             doubts: doubts.map(|warning| warning.to_string()).collect(),
             ..Point::without_values(verdict, cause)
         };
-        if self.prepared.check_determined && point.figures.iter().any(|one| one.value.is_some()) {
+        let has_values = point.figures.iter().any(|one| one.value.is_some());
+        if let Some(digits) = self.question.digits.filter(|_| has_values) {
             let Some(moved) = self.moves(&found, &point)? else {
                 return Ok(None);
             };
-            let bound = bound(self.prepared, &found, self.settings);
-            note_sensitivity(&self.prepared.figures, &mut point, &moved, bound);
+            let bound = bound(digits, &found, self.settings);
+            note_sensitivity(&self.question.figures, &mut point, &moved, bound);
         }
         Ok(Some(point))
     }
 
     /// Runs a system for the figures and what a mechanism is judged by.
     fn motion(&self, system: &System, settings: &RunSettings) -> Result<Motion, Vec<Fault>> {
-        let asked = requested(&self.prepared.figures, system.model());
+        let asked = requested(&self.question.figures, system.model());
         let of_object = |object: usize| match &asked {
             Some(asked) => asked[object],
             None => RequestedFigures::ALL,
@@ -284,7 +285,7 @@ impl Task<'_> {
             };
             Ok(value.filter(|value| value.is_finite()))
         };
-        self.prepared.figures.iter().map(value).collect()
+        self.question.figures.iter().map(value).collect()
     }
 
     /// The point of a run that did not come to its end or is not to be trusted.
@@ -356,7 +357,7 @@ impl Task<'_> {
         let gone = self.point_of_failed_run(&other).is_some();
         let others = self.values(&changed, &same_method, &other)?;
         let of_run = FoundFigures::new(self.system.model(), self.settings, base);
-        let all = self.prepared.figures.iter().zip(&point.figures).zip(others);
+        let all = self.question.figures.iter().zip(&point.figures).zip(others);
         let moved = all.map(|((figure, own), other)| {
             let value = own.value.unwrap_or_default();
             let scale = match lookup::is_address(figure) {
@@ -411,10 +412,11 @@ fn relative_difference(difference: f64, scale: f64) -> f64 {
 
 /// The greatest move of a figure that is still determined: one of the last digit
 /// asked for, and for a method with steps of a tolerance at least ten times that.
-fn bound(prepared: &Prepared<'_>, found: &Motion, settings: &RunSettings) -> f64 {
+fn bound(digits: u8, found: &Motion, settings: &RunSettings) -> f64 {
+    let precision = 10f64.powi(-i32::from(digits));
     match found.choice.method {
-        Method::Rk4 | Method::Exact => prepared.precision(),
-        _ => prepared.precision().max(OWN_NOISE * settings.tolerance),
+        Method::Rk4 | Method::Exact => precision,
+        _ => precision.max(OWN_NOISE * settings.tolerance),
     }
 }
 
