@@ -191,7 +191,7 @@ impl PreparedScene {
     }
 
     /// The same on a number of threads (`None`: one for every processor core), on which results
-    /// do not depend; ended from outside. `heard` is told the number of points that are done,
+    /// do not depend; ended from outside. `heard` receives the number of points done,
     /// from any thread.
     ///
     /// # Errors

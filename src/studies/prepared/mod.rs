@@ -67,7 +67,7 @@ impl<'a> Prepared<'a> {
 
     /// The points at rows of values, in their order, each as [`Self::point`] gives it; `None`:
     /// ended from outside. On `threads` threads (`None`: one for every processor core).
-    /// `heard` is told the number of points that are done, from any thread.
+    /// `heard` receives the number of points that are done, from any thread.
     pub fn table(
         &self,
         rows: &[impl AsRef<[f64]> + Sync],
