@@ -104,6 +104,11 @@ VALID: dict[str, list[object]] = {
     "repeats": [1],
     "point_limit": [0.1],
     "object": [None],
+    "prepare.parameters": [["table.inertia"], "table.stiffness"],
+    "prepare.figures": [["table.delta_abs"], "table.delta_max"],
+    "values": [[1.0], numpy.array([2.0])],
+    "points": [[[1.0], [2.0]], numpy.ones((2, 1)), [1.0, 2.0]],
+    "rows": [[[1.0], [2.0]]],
     "map_cells.first": [0],
     "map_cells.last": [2],
     "over": [None],
@@ -323,7 +328,9 @@ class Caller:
         scenes = {scene.json: name for name, scene in named.items()}
         run = small.run()
         mapped = small.map("table.inertia=1:2:2", "table.stiffness=1e6:2e6:2")
+        prepared = small.prepare(["table.inertia"], ["table.delta_abs"])
         things: list[object] = [
+            prepared, prepared.at([1.0]), prepared.table([[1.0]]), prepared._core,
             small, cam, linkage, engine, run, run.record, run.figures, mapped, mapped.record, cam.cam(),
             cam.law("tappet"), small.compare("table.masses", [1, 2]), dam.law("3-4-5"),
             run.figures["table.delta_abs"], run.record._answer, small._core, cam._core, linkage._core, engine._core,

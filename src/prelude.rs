@@ -1,6 +1,6 @@
 //! What most programs need: `use dam::prelude::*;`
 
-pub use crate::ask::{Map, MapQuestion, Mechanism, RunOptions, Scene};
+pub use crate::ask::{Map, MapQuestion, Mechanism, PreparedScene, RunOptions, Scene};
 pub use crate::dynamics::integrate::Method;
 pub use crate::dynamics::record::{Figure, Quantity};
 pub use crate::error::Error;

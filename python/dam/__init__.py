@@ -7,7 +7,7 @@ it and answers.
     run = dam.load("rocker.json").run()
     print(run.figures["rocker.delta_abs"])
 
-`Scene` describes, and answers `run`, `map`, `compare`, `methods`, `kinematics`, `forces`,
+`Scene` describes, and answers `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`, `forces`,
 `steady`, `cam`, `law`, `compare_laws`, `find`, `verify`, `reduce`; `law` and `stroke` ask of laws of motion
 by themselves. `dam.kinds` has everything that a scene holds as classes,
 `dam.own` takes Python functions into it.
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from dam import distributed, kinds, own
     from dam.answers import Answer, Figure, Figures, Map, Record, Run, Verdict
     from dam.errors import DamError, Fault, InternalError, SceneError
+    from dam.prepared import Point, Points, PreparedScene
     from dam.scene import Scene, law, load, loads, schema, stroke
 
 __all__ = [
@@ -33,6 +34,9 @@ __all__ = [
     "Figures",
     "InternalError",
     "Map",
+    "Point",
+    "Points",
+    "PreparedScene",
     "Record",
     "Run",
     "Scene",
@@ -52,6 +56,7 @@ __all__ = [
 _MODULES = {
     "answers": ("Answer", "Figure", "Figures", "Map", "Record", "Run", "Verdict"),
     "errors": ("DamError", "Fault", "InternalError", "SceneError"),
+    "prepared": ("Point", "Points", "PreparedScene"),
     "scene": ("Scene", "law", "load", "loads", "schema", "stroke"),
 }
 

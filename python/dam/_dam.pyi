@@ -10,6 +10,8 @@ __all__ = [
     "Answer",
     "Column",
     "Own",
+    "Points",
+    "Prepared",
     "Scene",
     "law_of",
     "load",
@@ -82,6 +84,49 @@ class Answer:
     def arrow_c_stream(self) -> object: ...
 
 @final
+class Points:
+    def __len__(self) -> int: ...
+    def column(self, index: int) -> Column | None: ...
+    def verdicts(self) -> list[str]: ...
+    def judgements(self) -> list[str | None]: ...
+    def causes(self) -> list[str]: ...
+    def doubts(self) -> list[list[str]]: ...
+    def determined(self) -> list[list[bool | None]]: ...
+
+@final
+class Prepared:
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def parameter_units(self) -> list[str]: ...
+    @property
+    def values(self) -> list[float]: ...
+    @property
+    def figures(self) -> list[str]: ...
+    @property
+    def figure_units(self) -> list[str]: ...
+    @property
+    def remarks(self) -> list[str]: ...
+    def figures_at(self, values: Sequence[float]) -> list[float]: ...
+    def at(
+        self, values: Sequence[float]
+    ) -> tuple[
+        list[float],
+        str,
+        str,
+        str | None,
+        list[str],
+        list[float | None],
+        list[bool | None],
+    ]: ...
+    def table(
+        self,
+        rows: Sequence[Sequence[float]],
+        threads: int | None,
+        progress: _Progress | None,
+    ) -> Points: ...
+
+@final
 class Scene:
     @staticmethod
     def read(path: str | PathLike[str]) -> Scene: ...
@@ -102,6 +147,9 @@ class Scene:
     def compare(
         self, address: str, values: Sequence[Value], progress: _Progress | None = None
     ) -> Answer: ...
+    def prepare(
+        self, parameters: Sequence[str], figures: Sequence[str], digits: int | None
+    ) -> Prepared: ...
     def map(
         self,
         x: str,

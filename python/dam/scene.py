@@ -12,6 +12,7 @@ from dam._tree import Quantity, Value
 if TYPE_CHECKING:
     from dam.errors import Fault
     from dam.kinds import AnyKind, Run, Steady
+    from dam.prepared import PreparedScene
 
 __all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema", "stroke"]
 
@@ -163,6 +164,39 @@ class Scene:
         those of the last: `compare("rocker.masses", [1, 2, 10])`."""
         found = self._core.compare(address, list(values), _told(progress))
         return answers.Comparison(found)
+
+    def prepare(
+        self,
+        parameters: str | Sequence[str],
+        figures: str | Sequence[str],
+        *,
+        check: bool = False,
+        digits: int = 3,
+    ) -> PreparedScene:
+        """The scene prepared for many values of its parameters: what does not depend on them is
+        done once, and a point then costs little more than its run.
+
+            prepared = scene.prepare(["rocker.inertia"], ["rocker.delta_max"])
+            prepared([0.05])                    # the figures at a point, an array
+            prepared.at([0.05]).verdict         # with verdict and cause
+            prepared.table([[0.05], [0.1]])     # many points, on all threads
+
+        Parameters
+        ----------
+        parameters
+            Addresses of numbers of the scene. Their values are in SI units.
+        figures
+            Addresses of figures, as in `expect` and `find`.
+        check
+            Whether each point is run a second time, to tell whether its figures are determined.
+        digits
+            Digits to which a figure is to be known so as to count as determined.
+        """
+        from dam.prepared import PreparedScene
+
+        paths = [parameters] if isinstance(parameters, str) else list(parameters)
+        names = [figures] if isinstance(figures, str) else list(figures)
+        return PreparedScene(self, paths, names, check=check, digits=digits)
 
     def map(
         self,

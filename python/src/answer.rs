@@ -192,6 +192,12 @@ pub(crate) struct Column {
     index: usize,
 }
 
+impl Column {
+    pub(crate) fn new(table: Arc<dyn Table>, index: usize) -> Self {
+        Self { table, index }
+    }
+}
+
 #[pymethods]
 impl Column {
     fn __len__(&self) -> usize {

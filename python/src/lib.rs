@@ -10,6 +10,7 @@ mod answer;
 mod arrow;
 mod fault;
 mod own;
+mod prepared;
 mod program;
 mod scene;
 mod studies;
@@ -24,6 +25,8 @@ mod _dam {
     use super::answer::{Answer, Column};
     #[pymodule_export]
     use super::own::{Own, load, position, position_jets};
+    #[pymodule_export]
+    use super::prepared::{Points, Prepared};
     #[pymodule_export]
     use super::program::program;
     #[pymodule_export]

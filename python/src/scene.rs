@@ -2,6 +2,7 @@
 
 use crate::answer::Answer;
 use crate::fault;
+use crate::prepared::{Prepared, prepare};
 use crate::studies::{cam, compare, find, law, linkages, map, methods, reduce, run, steady};
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
@@ -205,6 +206,17 @@ impl Scene {
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (parameters, figures, digits))]
+    fn prepare(
+        &self,
+        py: Python<'_>,
+        parameters: Vec<String>,
+        figures: Vec<String>,
+        digits: Option<u8>,
+    ) -> PyResult<Prepared> {
+        prepare(py, self.asked(), (parameters, figures), digits)
     }
 
     #[pyo3(signature = (x, y, figure, check, digits, threads, panels, progress))]
@@ -551,7 +563,7 @@ impl Scene {
     }
 }
 
-fn sound_threads(threads: Option<usize>) -> PyResult<()> {
+pub(crate) fn sound_threads(threads: Option<usize>) -> PyResult<()> {
     if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
         let message = format!("between 1 and {MOST_THREADS} threads work on a question");
         return Err(PyValueError::new_err(message));

@@ -9,11 +9,12 @@ use crate::studies::find::{Aim, FoundValue, Goal, Sample, Span, State, search};
 use crate::studies::judgement::{RunEnd, checks, ending};
 use crate::studies::rigid::Rigid;
 use crate::studies::run::{RunResult, run};
+use crate::studies::side_by_side::{side_by_side, threads as number_of_threads};
 use crate::studies::{Control, lookup, plausible};
 use crate::units::shown;
 use std::collections::BTreeMap;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// What is sought.
 #[derive(Clone, Debug, Default)]
@@ -61,8 +62,7 @@ pub(crate) fn find(
         heard,
         looked: AtomicUsize::new(0),
     };
-    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = question.threads.unwrap_or_else(cores).max(1);
+    let threads = number_of_threads(question.threads);
     let evaluate = |shares: &[f64]| places.evaluate(shares, threads);
     let found = search(&span, &conditions, goal.as_ref(), &evaluate);
     let figures = places.figures();
@@ -204,29 +204,18 @@ impl Evaluation<'_> {
     /// The scene at several places, worked out side by side; fewer where it was ended from outside.
     fn evaluate(&self, shares: &[f64], threads: usize) -> Vec<Sample> {
         let found: Mutex<BTreeMap<usize, Option<Sample>>> = Mutex::default();
-        let next = AtomicUsize::new(0);
-        let take = || {
-            while !self.control.is_spent() {
-                let at = next.fetch_add(1, Ordering::Relaxed);
-                let Some(&share) = shares.get(at) else { return };
-                let sample = self.sample(share);
-                (self.heard)(self.looked.fetch_add(1, Ordering::Relaxed) + 1);
-                let mut found = found
-                    .lock()
-                    .unwrap_or_else(std::sync::PoisonError::into_inner);
-                found.insert(at, sample);
+        let take = |(): &mut (), at: usize| {
+            if self.control.is_spent() {
+                return false;
             }
+            let sample = self.sample(shares[at]);
+            (self.heard)(self.looked.fetch_add(1, Ordering::Relaxed) + 1);
+            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+            found.insert(at, sample);
+            true
         };
-        std::thread::scope(|scope| {
-            for _ in 1..threads.min(shares.len()) {
-                // A thread that does not start leaves its places to the others.
-                let _ = std::thread::Builder::new().spawn_scoped(scope, take);
-            }
-            take();
-        });
-        let found = found
-            .into_inner()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        side_by_side(shares.len(), threads, || (), take);
+        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         found.into_values().flatten().collect()
     }
 

@@ -170,8 +170,7 @@ impl MapQuestion {
         };
         self.scene.built_soundly()?;
         let document = self.scene.document();
-        self.scene
-            .with_catalogues(|catalogue| look(&Study::new(document, catalogue, question)?))
+        look(&Study::new(document, &**self.scene.catalogue(), question)?)
     }
 }
 

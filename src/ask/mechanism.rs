@@ -13,7 +13,7 @@ use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
 use crate::studies::studied::wrong_units;
-use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible, requirements};
+use crate::studies::{Control, RunSettings, clock, lookup, plausible, requirements};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
 #[derive(Debug)]
@@ -208,13 +208,10 @@ fn sound_settings(scene: &TypedScene, model: &Model) -> Result<RunSettings, Vec<
         return Err(faults);
     }
     let settings = RunSettings::of(scene).map_err(|fault| vec![fault])?;
-    let mut unresolved = defined::undefined(model, settings.duration);
-    if unresolved.is_empty() {
-        unresolved = clock::unresolved(model, &settings);
-    }
-    match unresolved.is_empty() {
+    let faults = clock::not_followable(model, &settings);
+    match faults.is_empty() {
         true => Ok(settings),
-        false => Err(unresolved),
+        false => Err(faults),
     }
 }
 

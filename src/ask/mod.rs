@@ -9,6 +9,7 @@
 //! | [`run`](Scene::run) | how does it move | [`RunResult`] |
 //! | [`compare`](Scene::compare) | what does a parameter change | [`Comparison`](crate::studies::compare::Comparison) |
 //! | [`map`](Scene::map) | in which range does it work | [`Map`] |
+//! | [`prepare_points`](Scene::prepare_points) | what are figures at many values of parameters | [`PreparedScene`], [`Point`] |
 //! | [`find`](Scene::find) | which value of a parameter is best under conditions | [`FoundValue`](crate::studies::find::FoundValue) |
 //! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
@@ -34,6 +35,7 @@ mod linkages;
 mod map;
 mod mechanism;
 mod methods;
+mod prepared;
 mod reduce;
 mod run;
 mod scene;
@@ -48,9 +50,12 @@ pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
 pub use mechanism::{Mechanism, ModelAssessment};
+pub use prepared::{PointTable, PreparedScene};
 pub use run::RunOptions;
 pub use scene::Scene;
 pub use synthesis::{StrokeQuestion, Synthesis};
 
+#[doc(no_inline)]
+pub use crate::studies::prepared::{Point, PointFigure};
 #[doc(no_inline)]
 pub use crate::studies::run::RunResult;

@@ -6,7 +6,7 @@ use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
 use crate::frontend::read::Node;
 use crate::frontend::scene::{
-    BuiltIn, Catalogue, Document, Folder, LayeredCatalogue, Overrides, Reading, read_bounded,
+    BeforeBuiltIn, BuiltIn, Catalogue, Document, Folder, Overrides, Reading, read_bounded,
 };
 use crate::studies::Control;
 use crate::studies::compare::{Comparison, compare};
@@ -39,7 +39,7 @@ use std::sync::Arc;
 pub struct Scene {
     document: Document,
     settings: Overrides,
-    catalogue: Option<Arc<dyn Catalogue + Send + Sync>>,
+    catalogue: Arc<dyn Catalogue + Send + Sync>,
     /// Faults of the building itself.
     faults: Vec<Diagnostic>,
 }
@@ -82,7 +82,7 @@ impl Scene {
         Self {
             document,
             settings: Overrides::none(),
-            catalogue: None,
+            catalogue: Arc::new(BuiltIn),
             faults: Vec::new(),
         }
     }
@@ -98,7 +98,7 @@ impl Scene {
     /// With a catalogue that is looked into before what is built in.
     #[must_use]
     pub fn with_catalogue(mut self, catalogue: impl Catalogue + Send + Sync + 'static) -> Self {
-        self.catalogue = Some(Arc::new(catalogue));
+        self.catalogue = Arc::new(BeforeBuiltIn(catalogue));
         self
     }
 
@@ -223,8 +223,7 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with its text.
     pub fn decode(&self) -> Result<Reading, Error> {
-        let found =
-            self.with_catalogues(|catalogue| self.document.scene(catalogue, &self.settings));
+        let found = self.document.scene(&*self.catalogue, &self.settings);
         let mut found = match found {
             Ok(reading) if self.faults.is_empty() => return Ok(reading),
             Ok(reading) => reading.warnings,
@@ -396,15 +395,9 @@ impl Scene {
         }
     }
 
-    /// Uses the catalogues.
-    pub(super) fn with_catalogues<T>(&self, read: impl FnOnce(&(dyn Catalogue + Sync)) -> T) -> T {
-        match &self.catalogue {
-            Some(own) => {
-                let own: &(dyn Catalogue + Sync) = &**own;
-                read(&LayeredCatalogue(own, &BuiltIn))
-            }
-            None => read(&BuiltIn),
-        }
+    /// Where its objects are copied from.
+    pub(super) fn catalogue(&self) -> &Arc<dyn Catalogue + Send + Sync> {
+        &self.catalogue
     }
 }
 

@@ -146,10 +146,45 @@ impl Axis {
     /// The setting `PATH=VALUE` of a value, as [`crate::frontend::scene::Overrides`]
     /// takes it; every digit of the value is kept.
     pub fn setting(&self, value: f64) -> String {
-        format!("{}={}", self.path, self.value_with_unit(value))
+        self.parameter().setting(value)
     }
 
     /// The value with its unit, every digit kept: `250 rpm`, `1e7`.
+    pub fn value_with_unit(&self, value: f64) -> String {
+        self.parameter().value_with_unit(value)
+    }
+
+    /// The unit to show the values with: the one they were given in, else the SI
+    /// unit of the parameter in a model where it is known, else none.
+    pub fn display_unit(&self, model: &Model) -> String {
+        self.parameter().display_unit(model)
+    }
+
+    /// The parameter along the axis.
+    pub fn parameter(&self) -> Parameter {
+        Parameter {
+            path: self.path.clone(),
+            unit: self.unit.clone(),
+        }
+    }
+}
+
+/// A parameter of a scene: a number that takes several values.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Parameter {
+    /// Address of the number, as `--set` takes it: `rocker.inertia`.
+    pub path: String,
+    /// Unit of its values; empty: the SI unit.
+    pub unit: String,
+}
+
+impl Parameter {
+    /// As [`Axis::setting`].
+    pub fn setting(&self, value: f64) -> String {
+        format!("{}={}", self.path, self.value_with_unit(value))
+    }
+
+    /// As [`Axis::value_with_unit`].
     pub fn value_with_unit(&self, value: f64) -> String {
         // A whole number may address a count, which takes no fraction.
         let number = if value.fract() == 0.0 && value.abs() < 1e15 {
@@ -163,8 +198,7 @@ impl Axis {
         }
     }
 
-    /// The unit to show the values with: the one they were given in, else the SI
-    /// unit of the parameter in a model where it is known, else none.
+    /// As [`Axis::display_unit`].
     pub fn display_unit(&self, model: &Model) -> String {
         match self.unit.as_str() {
             "" => parameter_unit(&self.path, model).to_owned(),

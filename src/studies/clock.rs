@@ -1,5 +1,6 @@
 //! What no clock of double precision can resolve.
 
+use super::defined::undefined;
 use super::settings::RunSettings;
 use crate::dynamics::model::{Coordinate, Model, NodeMotion};
 use crate::fault::Fault;
@@ -19,6 +20,15 @@ fn drive_turns(motion: &DriveMotion, time: f64) -> f64 {
     let breaks = motion.breaks();
     let at = |time: f64| motion.jet(breaks.segment_at(time, 1.0), time).value;
     (at(time) - at(0.0)).abs() / TAU
+}
+
+/// Why a model cannot be followed over the time of its run: a function of the time without a
+/// value ([`undefined`]), or what no clock resolves ([`unresolved`]). Empty: it can be.
+pub fn not_followable(model: &Model, settings: &RunSettings) -> Vec<Fault> {
+    match undefined(model, settings.duration) {
+        faults if faults.is_empty() => unresolved(model, settings),
+        faults => faults,
+    }
 }
 
 /// Faults of a run that no clock resolves: a duration in which drives turn so often that

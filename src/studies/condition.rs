@@ -5,7 +5,7 @@
 //! are refused: no computation can tell them from the others. Greatest and least values may be
 //! those of a part of the motion: `valve.delta_abs <= 0.2 mm from 30 deg to 120 deg`.
 
-use super::map::{check_figure, figure_unit};
+use super::prepared::{check_figure, figure_unit};
 use super::studied::quantity_of;
 use crate::dynamics::model::Model;
 use crate::units::{number_and_unit, parse};

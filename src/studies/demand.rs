@@ -1,7 +1,7 @@
 //! What of a run is wanted.
 //!
-//! A map requests one result of an exact cell, and what a verdict rests on, but no samples and
-//! no balance. `dam methods` times the same walk, or the integration itself with samples of δ
+//! A prepared scene requests some results of an exact point, and what a verdict rests on, but no
+//! samples and no balance. `dam methods` times the same walk, or the integration itself with samples of δ
 //! and events alone (`studies::methods::light`). `steady` integrates its cycles into listeners
 //! of its own.
 

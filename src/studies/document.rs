@@ -133,14 +133,7 @@ pub(super) fn warnings_of(
             time,
         });
     }
-    let undetermined = recorded.undetermined_times.iter();
-    warnings.extend(
-        undetermined.map(|(name, since)| Warning::FirstTimeUndetermined {
-            name: name.clone(),
-            since: *since,
-            found: recorded.first_times.get(name).copied().flatten(),
-        }),
-    );
+    warnings.extend(undetermined_times(recorded));
     for object in 0..model.objects.len() {
         warnings.extend(rounded_acceleration(model, object, recorded));
         warnings.extend(pair_warnings(model, object, recorded, run.time));
@@ -152,6 +145,32 @@ pub(super) fn warnings_of(
         }));
     }
     warnings
+}
+
+/// Warnings that results of a run are not determined. Of a peak acceleration that was not
+/// looked for nothing is said.
+pub(super) fn doubts<'d>(
+    model: &'d Model,
+    recorded: &'d RunRecord,
+) -> impl Iterator<Item = Warning> + 'd {
+    let of_object = move |object: usize| {
+        let sought = recorded.figures[object].peak_acceleration > 0.0;
+        let rounded = sought.then(|| rounded_acceleration(model, object, recorded));
+        let of_pair = pair_warnings(model, object, recorded, f64::INFINITY).into_iter();
+        rounded.flatten().into_iter().chain(of_pair)
+    };
+    let of_objects = (0..model.objects.len()).flat_map(of_object);
+    let all = undetermined_times(recorded).chain(of_objects);
+    all.filter(Warning::leaves_open)
+}
+
+fn undetermined_times(recorded: &RunRecord) -> impl Iterator<Item = Warning> + '_ {
+    let undetermined = recorded.undetermined_times.iter();
+    undetermined.map(|(name, since)| Warning::FirstTimeUndetermined {
+        name: name.clone(),
+        since: *since,
+        found: recorded.first_times.get(name).copied().flatten(),
+    })
 }
 
 /// An acceleration of which rounding may be more than this share is said to be rounded.

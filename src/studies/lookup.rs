@@ -4,7 +4,7 @@
 //!
 //! The addresses are read in `frontend::scene::study_address`. `attach` adds such results to
 //! those of a run (`Figures::studies`): those that the accuracy or the expectations of a scene
-//! name, and those of `compare --figure`. A map requests them for each cell.
+//! name, and those of `compare --figure`. A prepared scene requests them for each point.
 
 use super::cam::{
     CONTACT_RESULTS, CamForce, ElasticContact, Reserve, contact_result, disc_cam, preload_unit,
@@ -57,12 +57,12 @@ pub fn attach<'a>(
     addresses: impl IntoIterator<Item = &'a str>,
     subject: Subject<'_>,
 ) -> Result<(), Vec<Fault>> {
-    let mut motion = None;
+    let mut lookup = Lookup::new(subject);
     for address in addresses {
         if figures.studies.contains_key(address) {
             continue; // found in the run itself
         }
-        if let Some(found) = find(address, subject, &mut motion)? {
+        if let Some(found) = lookup.figure(address)? {
             figures.studies.insert(address.to_owned(), found);
         }
     }
@@ -74,7 +74,28 @@ pub fn attach<'a>(
 /// # Errors
 /// As of [`attach`].
 pub fn figure(address: &str, subject: Subject<'_>) -> Result<Option<StudyFigure>, Vec<Fault>> {
-    find(address, subject, &mut None)
+    Lookup::new(subject).figure(address)
+}
+
+/// Looks up results of the studies of one subject; the steady motion that several of them are
+/// read from is found once.
+pub(super) struct Lookup<'s> {
+    subject: Subject<'s>,
+    motion: Option<Answer>,
+}
+
+impl<'s> Lookup<'s> {
+    pub(super) fn new(subject: Subject<'s>) -> Self {
+        Self {
+            subject,
+            motion: None,
+        }
+    }
+
+    /// As [`figure`].
+    pub(super) fn figure(&mut self, address: &str) -> Result<Option<StudyFigure>, Vec<Fault>> {
+        find(address, self.subject, &mut self.motion)
+    }
 }
 
 /// Addresses of studies that a scene names for its run: those of its accuracy, and what it

@@ -132,6 +132,26 @@ impl Warning {
         }
     }
 
+    /// True when it says that results are not determined.
+    pub fn leaves_open(&self) -> bool {
+        match self {
+            Self::SwitchesUndetermined { .. }
+            | Self::FirstTimeUndetermined { .. }
+            | Self::RoundedAcceleration { .. }
+            | Self::Undetermined { .. } => true,
+            Self::EnergyAudit { .. }
+            | Self::Equations(_)
+            | Self::NotFinite
+            | Self::Start(_)
+            | Self::Meaning(_)
+            | Self::FixedStep { .. }
+            | Self::WindowMissing { .. }
+            | Self::WouldLiftOff { .. }
+            | Self::Opens { .. }
+            | Self::Creeps { .. } => false,
+        }
+    }
+
     /// The warning that a check of the equations of motion gives, if they are not kept.
     pub(in crate::studies) fn of_equations(check: &EquationCheck) -> Option<Self> {
         (!check.is_kept()).then(|| Self::Equations(check.clone()))

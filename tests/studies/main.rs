@@ -5,4 +5,5 @@ mod contact_force;
 mod law;
 mod map;
 mod map_order;
+mod prepared;
 mod steady;

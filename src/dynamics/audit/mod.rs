@@ -22,7 +22,7 @@
 //! and 1e-7, with the possible error of the state of a step (10 tolerances of momentum and link
 //! forces; rounding alone for `exact`). The result is an `EquationCheck` (`run.equations`).
 //! Beyond its bound the run is not to be trusted; after `exact`, `auto` takes another method.
-//! Maps check one cell in 16, drawn by the seed. `unchecked` names what cannot be checked:
+//! Maps and prepared scenes check one point in 16, drawn by the seed. `unchecked` names what cannot be checked:
 //! forces of linkages of several inputs, friction of joints, plans with very many smooth
 //! motions.
 //!

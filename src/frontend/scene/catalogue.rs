@@ -27,6 +27,21 @@ pub trait Catalogue {
     }
 }
 
+/// One that somebody else holds.
+impl<C: Catalogue + ?Sized> Catalogue for &C {
+    fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)> {
+        (**self).lookup(name)
+    }
+
+    fn names(&self) -> Vec<String> {
+        (**self).names()
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        (**self).table(name)
+    }
+}
+
 /// The definitions built into the library.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BuiltIn;
@@ -57,6 +72,24 @@ impl<A: Catalogue + ?Sized, B: Catalogue + ?Sized> Catalogue for LayeredCatalogu
         names.sort();
         names.dedup();
         names
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        self.0.table(name)
+    }
+}
+
+/// A catalogue that is looked into before what is built in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BeforeBuiltIn<C>(pub(crate) C);
+
+impl<C: Catalogue> Catalogue for BeforeBuiltIn<C> {
+    fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)> {
+        self.0.lookup(name).or_else(|| BuiltIn.lookup(name))
+    }
+
+    fn names(&self) -> Vec<String> {
+        LayeredCatalogue(&self.0, &BuiltIn).names()
     }
 
     fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {

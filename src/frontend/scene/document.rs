@@ -128,7 +128,7 @@ impl Document {
     }
 
     /// Levels of the objects that leave theirs open.
-    pub(super) fn levels(&self) -> &Levels {
+    pub(crate) fn levels(&self) -> &Levels {
         &self.levels
     }
 

@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod address;
+mod canonical;
 mod catalogue;
 mod document;
 pub mod edit;
@@ -25,6 +26,7 @@ mod study_address;
 mod template;
 mod variation;
 
+pub(crate) use catalogue::BeforeBuiltIn;
 pub use catalogue::{BuiltIn, Catalogue, LayeredCatalogue, NamedBytes};
 pub use document::{Document, Places, Reading};
 #[cfg(feature = "live")]

@@ -1,14 +1,15 @@
 //! The cells of a study, worked out side by side.
 
-use super::cell::{Cell, evaluate};
-use super::scenes::Scenes;
+use super::cell::Cell;
 use super::study::Study;
 use crate::studies::Control;
+use crate::studies::prepared::{Bench, evaluate, is_checked_cell};
+use crate::studies::side_by_side::{side_by_side, threads as number_of_threads};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
-use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 /// Listens to a map while it is worked out; called from any thread.
 pub trait Listener: Sync {
@@ -45,7 +46,7 @@ pub struct MapResult {
 /// An interrupt ends the map after the cells at hand, with the rows done so far.
 ///
 /// # Errors
-/// The threads cannot be started, or the listener's.
+/// The listener's.
 pub fn map(
     study: &Study<'_>,
     known: BTreeMap<usize, Vec<Cell>>,
@@ -54,9 +55,7 @@ pub fn map(
     listener: &dyn Listener,
 ) -> Result<MapResult, String> {
     let work = Work::new(study, known, 0..study.cells(), control, listener);
-    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    work.run_threads(threads.unwrap_or_else(cores))
-        .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
+    work.run_threads(number_of_threads(threads));
     match work.trouble.into_inner() {
         Ok(Some(message)) => Err(message),
         _ => Ok(assemble(study, lock(&work.rows).split_off(&0))),
@@ -67,7 +66,7 @@ pub fn map(
 /// interrupted. They are those of the whole map: a map can be shared out.
 ///
 /// # Errors
-/// There are no such cells; the threads cannot be started, or the listener's.
+/// There are no such cells, or the listener's.
 pub fn map_cells(
     study: &Study<'_>,
     cells: Range<usize>,
@@ -82,9 +81,7 @@ pub fn map_cells(
     }
     let count = cells.len();
     let work = Work::new(study, BTreeMap::new(), cells, control, listener);
-    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    work.run_threads(threads.unwrap_or_else(cores))
-        .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
+    work.run_threads(number_of_threads(threads));
     if let Ok(Some(message)) = work.trouble.into_inner() {
         return Err(message);
     }
@@ -104,8 +101,8 @@ struct Work<'w> {
     open: Vec<OpenRow>,
     /// For each open row the number of cells of all rows before it.
     starts: Vec<usize>,
-    /// The next cell, counted over the open rows.
-    next: AtomicUsize,
+    /// Number of cells to be done.
+    count: usize,
     rows: Mutex<BTreeMap<usize, Vec<Cell>>>,
     trouble: Mutex<Option<String>>,
     stop: AtomicBool,
@@ -129,7 +126,7 @@ impl<'w> Work<'w> {
         listener: &'w dyn Listener,
     ) -> Self {
         let mut starts = Vec::new();
-        let mut before = 0;
+        let mut count = 0;
         let missing = (0..study.rows()).filter(|row| !known.contains_key(row));
         // Of each row the cells that are wanted, as far as there are any.
         let within = missing.filter_map(|row| {
@@ -140,8 +137,8 @@ impl<'w> Work<'w> {
             (from < to).then_some((row, panel, from..to))
         });
         let open = within.map(|(row, panel, cells)| {
-            starts.push(before);
-            before += cells.len();
+            starts.push(count);
+            count += cells.len();
             OpenRow {
                 row,
                 panel,
@@ -149,13 +146,14 @@ impl<'w> Work<'w> {
                 cells,
             }
         });
+        let open: Vec<OpenRow> = open.collect();
         Self {
-            open: open.collect(),
+            open,
             starts,
             study,
             control,
             listener,
-            next: AtomicUsize::new(0),
+            count,
             rows: Mutex::new(known),
             trouble: Mutex::new(None),
             stop: AtomicBool::new(false),
@@ -163,49 +161,40 @@ impl<'w> Work<'w> {
     }
 
     /// All threads take cells; the calling one is the first of them.
-    fn run_threads(&self, threads: usize) -> std::io::Result<()> {
-        std::thread::scope(|scope| {
-            for _ in 1..threads {
-                let started = std::thread::Builder::new().spawn_scoped(scope, || self.take_cells());
-                if let Err(error) = started {
-                    self.stop.store(true, Relaxed);
-                    return Err(error);
-                }
-            }
-            self.take_cells();
-            Ok(())
-        })
+    fn run_threads(&self, threads: usize) {
+        let worker = || (0, Bench::default());
+        side_by_side(self.count, threads, worker, |bench, number| {
+            self.take_cell(bench, number)
+        });
     }
 
-    /// Takes cells until there are none, or the map is stopped.
-    fn take_cells(&self) {
-        let mut scenes = Scenes::new(self.study);
-        loop {
-            if self.control.is_spent() || self.stop.load(Relaxed) {
-                return;
-            }
-            let number = self.next.fetch_add(1, Relaxed);
-            let Some(at) = self
-                .starts
-                .partition_point(|&start| start <= number)
-                .checked_sub(1)
-            else {
-                return;
-            };
-            let row = &self.open[at];
-            let place = number - self.starts[at];
-            if place >= row.cells.len() {
-                return;
-            }
-            let cell = (row.panel, row.cells.start + place);
-            let Some(found) = evaluate(self.study, &mut scenes, cell, self.control) else {
-                return;
-            };
-            self.listener.cell();
-            if let Some(cells) = row.store_cell(place, found) {
-                self.finish(row.row, cells);
-            }
+    /// Works out a cell, by the scene of its panel that the thread has at hand; false where the
+    /// map is stopped.
+    fn take_cell(&self, (of, bench): &mut (usize, Bench), number: usize) -> bool {
+        if self.control.is_spent() || self.stop.load(Relaxed) {
+            return false;
         }
+        let starts = self.starts.partition_point(|&start| start <= number);
+        let at = starts - 1;
+        let row = &self.open[at];
+        let place = number - self.starts[at];
+        let (panel, cell) = (row.panel, row.cells.start + place);
+        if *of != panel {
+            (*of, *bench) = (panel, Bench::default());
+        }
+        let (x, y) = self.study.parameters_at_cell(cell);
+        let values = [x, y.unwrap_or_default()];
+        let values = &values[..1 + usize::from(y.is_some())];
+        let asked = (values, is_checked_cell(panel, cell));
+        let question = self.study.question(panel);
+        let Some(found) = evaluate(question, bench, asked, self.control) else {
+            return false;
+        };
+        self.listener.cell();
+        if let Some(cells) = row.store_cell(place, Cell::of(found)) {
+            self.finish(row.row, cells);
+        }
+        true
     }
 
     fn finish(&self, row: usize, cells: Vec<Cell>) {

@@ -8,7 +8,7 @@
 
 use super::cell::Cell;
 use super::study::Study;
-use super::verdict::Verdict;
+use crate::studies::prepared::Verdict;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;

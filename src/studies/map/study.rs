@@ -1,19 +1,22 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
-use super::figure::{check_figure, default_figure, no_elastic_object_message, unit};
-use super::levels::{finest_levels, shortfall};
-use super::panels::Panels;
+use super::default_figure::{default_figure, no_elastic_object_message};
+use super::panels::{Panel, Panels};
 use crate::dynamics::system::System;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::lower::lower;
-use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, Variation};
+use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading};
 use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
 use crate::studies::lookup::is_rigid;
+use crate::studies::prepared::{
+    PointQuestion, check_figure, figure_unit, finest_levels, shortfall,
+};
 use crate::studies::rigid::Rigid;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
+use std::sync::Arc;
 
 /// Most cells of a study, all panels together.
 pub const MOST_CELLS: usize = 1_000_000;
@@ -44,8 +47,8 @@ pub struct Question {
 /// A question about a scene, found to make sense.
 pub struct Study<'a> {
     document: Document,
-    /// The document without what cells do not need.
-    bare: Document,
+    /// What is asked at the cells of each panel.
+    questions: Vec<PointQuestion<'a>>,
     catalogue: &'a (dyn Catalogue + Sync),
     overrides: Vec<String>,
     x_values: Vec<f64>,
@@ -107,7 +110,7 @@ impl<'a> Study<'a> {
         check(&question).map_err(StudyFault::Question)?;
         let mut study = Self {
             document: document.clone(),
-            bare: document.without_expectations(),
+            questions: Vec::new(),
             catalogue,
             overrides: question.overrides,
             x_values: question.x.values(),
@@ -136,13 +139,37 @@ impl<'a> Study<'a> {
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
         }
-        study.levels = finest_levels(study.probed(), &study.figure);
+        let figures = std::slice::from_ref(&study.figure);
+        study.levels = finest_levels(study.probed(), figures);
         study.document = study.document.clone().with_levels(study.levels.clone());
-        study.bare = study.bare.clone().with_levels(study.levels.clone());
+        study.questions = study.questions_of_panels();
         study.hash = study.digest(&hashes);
         study.rigid = study.label();
         study.shortfalls = study.inaccurate();
         Ok(study)
+    }
+
+    /// What is asked at the cells of each panel.
+    fn questions_of_panels(&self) -> Vec<PointQuestion<'a>> {
+        let bare = Arc::new(self.document.without_expectations());
+        let panels = self.panels.panels.iter();
+        let question = |panel: &Panel| PointQuestion {
+            document: bare.clone(),
+            catalogue: Arc::new(self.catalogue),
+            fixed: self
+                .overrides
+                .iter()
+                .chain(&panel.settings)
+                .cloned()
+                .collect(),
+            parameters: std::iter::once(&self.x)
+                .chain(&self.y)
+                .map(Axis::parameter)
+                .collect(),
+            figures: vec![self.figure.clone()],
+            digits: self.check_determined.then_some(self.digits),
+        };
+        panels.map(question).collect()
     }
 
     /// The points, of those that are tried beforehand, at which the figure does not hold the
@@ -247,7 +274,7 @@ impl<'a> Study<'a> {
             };
             StudyFault::Question(format!("{}; {hint}", fault.message))
         })?;
-        self.unit = unit(&self.figure, model);
+        self.unit = figure_unit(&self.figure, model);
         let written = |axis: &Axis| axis.display_unit(model);
         self.parameter_units = [
             written(&self.x),
@@ -278,43 +305,19 @@ impl<'a> Study<'a> {
         hash
     }
 
-    /// How far a figure may move, as a share of its scale, and still be known to
-    /// the digits asked for.
-    pub(super) fn precision(&self) -> f64 {
-        10f64.powi(-i32::from(self.digits))
-    }
-
-    /// Decodes a cell's scene.
-    pub(super) fn read(&self, panel: usize, cell: usize) -> Result<Reading, Diagnostics> {
-        let settings = self.settings(panel, cell);
-        let all = self.overrides.iter().cloned().chain(settings);
-        self.bare.scene(self.catalogue, &Overrides::new(all))
+    /// What is asked at the cells of a panel.
+    pub(super) fn question(&self, panel: usize) -> &PointQuestion<'a> {
+        &self.questions[panel]
     }
 
     /// Settings of a cell, counted along the x axis first.
     pub fn settings(&self, panel: usize, cell: usize) -> Vec<String> {
         let mut settings = self.panels.panels[panel].settings.clone();
-        settings.extend(self.varied(cell));
-        settings
-    }
-
-    /// Those of them that vary from cell to cell.
-    pub(super) fn varied(&self, cell: usize) -> Vec<String> {
         let (x, y) = self.parameters_at_cell(cell);
         let second = self.y.as_ref().zip(y);
-        let second = second.map(|(axis, y)| axis.setting(y));
-        std::iter::once(self.x.setting(x)).chain(second).collect()
-    }
-
-    /// A panel's scene with the first settings of what varies.
-    pub(super) fn variation(
-        &self,
-        panel: usize,
-        settings: &[String],
-    ) -> Result<Variation, Diagnostics> {
-        let own = &self.panels.panels[panel].settings;
-        let fixed: Vec<String> = self.overrides.iter().chain(own).cloned().collect();
-        Variation::new(&self.bare, self.catalogue, &fixed, settings)
+        settings.push(self.x.setting(x));
+        settings.extend(second.map(|(axis, y)| axis.setting(y)));
+        settings
     }
 
     /// Values of the parameters at a cell, in the units of the axes.

@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::grid::MapResult;
 use super::study::Study;
-use super::verdict::Verdict;
+use crate::studies::prepared::Verdict;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

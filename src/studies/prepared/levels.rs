@@ -1,4 +1,4 @@
-//! The level of the elastic objects of a map that leave theirs open: one for all its points.
+//! The level of the elastic objects that leave theirs open: one for all points of a study.
 
 use crate::dynamics::builder::spec::Level;
 use crate::frontend::scene::{Accuracy, AccuracySpec, Elastic, Levels, Reading, TypedScene};
@@ -8,11 +8,11 @@ use crate::studies::{Control, RunSettings};
 /// More masses than so many are not tried for points that modes serve.
 const MOST_MASSES: usize = 256;
 
-/// The finest levels that the figure needs at any of some points of a map; what is no
+/// The finest levels that the figures need at any of some points of a study; what is no
 /// mechanism there is left out.
-pub(super) fn finest_levels(points: impl Iterator<Item = Reading>, figure: &str) -> Levels {
+pub(crate) fn finest_levels(points: impl Iterator<Item = Reading>, figures: &[String]) -> Levels {
     let mut points: Vec<Point> = points
-        .filter_map(|reading| Point::new(reading, figure))
+        .filter_map(|reading| Point::new(reading, figures))
         .collect();
     let mut found = Levels::new();
     for point in &points {
@@ -34,14 +34,14 @@ pub(super) fn finest_levels(points: impl Iterator<Item = Reading>, figure: &str)
 
 /// What is wrong with a figure that does not hold the accuracy that a scene asks for.
 /// `None`: nothing, or none is asked for.
-pub(super) fn shortfall(mut scene: TypedScene, figure: &str) -> Option<String> {
+pub(crate) fn shortfall(mut scene: TypedScene, figure: &str) -> Option<String> {
     let accuracy = match scene.run.accuracy.as_ref()? {
         AccuracySpec::Share(share) => Accuracy::Share(*share),
         AccuracySpec::Figures(figures) => figures.iter().find(|(asked, _)| asked == figure)?.1,
     };
     let asked = AccuracySpec::Figures(vec![(figure.to_owned(), accuracy)]);
     scene.run.accuracy = Some(asked);
-    // Its cells are integrated as the scene says.
+    // Its points are integrated as the scene says.
     scene.run.tolerance_given = true;
     let settings = RunSettings::of(&scene).ok()?;
     let chosen = choose(&mut scene, &settings, &Control::default()).ok()?;
@@ -60,7 +60,7 @@ fn refine(levels: &mut Levels) -> bool {
     refined
 }
 
-/// A point of the map at which levels were chosen.
+/// A point of the study at which levels were chosen.
 struct Point {
     scene: TypedScene,
     settings: RunSettings,
@@ -74,13 +74,14 @@ struct Point {
 
 impl Point {
     /// `None`: nothing is open, or it cannot be run.
-    fn new(reading: Reading, figure: &str) -> Option<Self> {
+    fn new(reading: Reading, figures: &[String]) -> Option<Self> {
         let mut scene = reading.scene;
         let elastic = scene.elastic();
         elastic.open_levels().next()?;
-        let asked = AccuracySpec::Figures(vec![(figure.to_owned(), USUAL)]);
+        let asked = figures.iter().map(|figure| (figure.clone(), USUAL));
+        let asked = AccuracySpec::Figures(asked.collect());
         scene.run.accuracy.get_or_insert(asked);
-        // Its cells are integrated as the scene says.
+        // Its points are integrated as the scene says.
         scene.run.tolerance_given = true;
         let settings = RunSettings::of(&scene).ok()?;
         let mut point = Self {
@@ -125,7 +126,9 @@ mod tests {
     use crate::dynamics::builder::spec::Level;
     use crate::frontend::scene::{BuiltIn, Document, Overrides, Reading};
 
-    const FIGURE: &str = "body.pair.max_contact_force";
+    fn figures() -> [String; 1] {
+        ["body.pair.max_contact_force".to_owned()]
+    }
 
     /// A rod that strikes a wall of so much stiffness, its level open.
     fn rod(wall: f64) -> Reading {
@@ -145,16 +148,16 @@ mod tests {
     fn masses_that_one_point_needs_serve_the_points_that_chose_modes() {
         let walls = [0.1, 1.0, 3.0, 10.0];
         let own = |wall: f64| {
-            let point = Point::new(rod(wall), FIGURE).unwrap();
+            let point = Point::new(rod(wall), &figures()).unwrap();
             assert!(point.holds, "{wall}");
             point.own["body"]
         };
         assert!(matches!(own(3.0), Level::Modes { .. }));
         assert!(matches!(own(10.0), Level::Masses { .. }));
-        let common = finest_levels(walls.into_iter().map(rod), FIGURE);
+        let common = finest_levels(walls.into_iter().map(rod), &figures());
         assert!(matches!(common["body"], Level::Masses { .. }), "{common:?}");
         for wall in walls {
-            let mut point = Point::new(rod(wall), FIGURE).unwrap();
+            let mut point = Point::new(rod(wall), &figures()).unwrap();
             assert!(point.is_served(&common), "{wall}: {common:?}");
         }
     }

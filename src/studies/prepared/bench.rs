@@ -1,8 +1,7 @@
-//! The scenes of a map's cells: decoded once for each thread and panel, then
-//! changed from cell to cell.
+//! A scene that is changed from point to point: decoded once for each thread.
 
+use super::question::PointQuestion;
 use super::rigid::{Path, RigidMotion};
-use super::study::Study;
 use crate::dynamics::model::Model;
 use crate::dynamics::system::MotionRanges;
 use crate::exact::KeptLaws;
@@ -11,20 +10,15 @@ use crate::frontend::scene::{TypedScene, Variation};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Most numbers of a rigid motion that is kept from cell to cell.
+/// Most numbers of a rigid motion that is kept from point to point.
 const MOST_KEPT: usize = 1 << 18;
 
-/// The scenes of one thread. What a cell's scene is depends on the cell alone and
-/// not on the cells before.
-pub(super) struct Scenes<'s> {
-    study: &'s Study<'s>,
-    /// The scene at hand, with its panel.
-    bench: Option<(usize, Bench)>,
-}
-
-/// A scene that is changed from cell to cell, with what stays the same.
-struct Bench {
-    varied: Variation,
+/// The scene of one thread, with what stays the same from point to point. What a point's scene
+/// is depends on its values alone and not on the points before.
+#[derive(Debug, Default)]
+pub(in crate::studies) struct Bench {
+    /// `None`: no point has been a scene yet.
+    varied: Option<Variation>,
     kept: MotionCache,
 }
 
@@ -50,7 +44,7 @@ impl MotionCache {
         self.laws = laws;
     }
 
-    /// Motion that the rigid mechanism of a cell would have.
+    /// Motion that the rigid mechanism of a point would have.
     pub(super) fn rigid_motion(&mut self, model: &Model, duration: f64) -> RigidMotion {
         if let Some(path) = &self.path {
             return path.rigid_motion(model);
@@ -62,37 +56,33 @@ impl MotionCache {
     }
 }
 
-impl<'s> Scenes<'s> {
-    pub(super) fn new(study: &'s Study<'s>) -> Self {
-        Self { study, bench: None }
-    }
-
-    /// Shows a cell's scene, or what is wrong with it, and what is kept beside it.
+impl Bench {
+    /// Shows the scene of a point, or what is wrong with it, and what is kept beside it.
     pub(super) fn show<T>(
         &mut self,
-        panel: usize,
-        cell: usize,
+        question: &PointQuestion<'_>,
+        values: &[f64],
         to: impl FnOnce(Result<(&TypedScene, &mut MotionCache), Diagnostics>) -> T,
     ) -> T {
-        let settings = self.study.varied(cell);
-        let before = self.bench.take().filter(|(of, _)| *of == panel);
-        let (_, bench) = match before {
-            Some(before) => self.bench.insert(before),
-            None => match self.study.variation(panel, &settings) {
+        let settings = question.settings(values);
+        let kept = &mut self.kept;
+        let varied = match &mut self.varied {
+            Some(varied) => varied,
+            none => match question.variation(&settings) {
                 Ok(varied) => {
-                    let kept = MotionCache::default();
-                    self.bench.insert((panel, Bench { varied, kept }))
+                    *kept = MotionCache::default();
+                    none.insert(varied)
                 }
                 Err(diagnostics) => return to(Err(diagnostics)),
             },
         };
-        if bench.varied.set(&settings).is_some() {
-            bench.kept.turn_to(Some(bench.varied.laws()));
-            return to(Ok((bench.varied.scene(), &mut bench.kept)));
+        if varied.set(&settings).is_some() {
+            kept.turn_to(Some(varied.laws()));
+            return to(Ok((varied.scene(), kept)));
         }
-        bench.kept.turn_to(None);
-        match self.study.read(panel, cell) {
-            Ok(reading) => to(Ok((&reading.scene, &mut bench.kept))),
+        kept.turn_to(None);
+        match question.read(settings) {
+            Ok(reading) => to(Ok((&reading.scene, kept))),
             Err(diagnostics) => to(Err(diagnostics)),
         }
     }

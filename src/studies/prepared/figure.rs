@@ -1,6 +1,6 @@
-//! The figure that a map shows.
+//! The figures of a point: what a run has to find for them, and where they are read.
 
-use crate::dynamics::model::{Closure, Model, ObjectPart, owner_of};
+use crate::dynamics::model::{Closure, Model, ObjectPart, SpanFigure, owner_of};
 use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
 use crate::exact::RequestedFigures;
 use crate::fault::Fault;
@@ -8,31 +8,7 @@ use crate::studies::document::{blank, document, summary};
 use crate::studies::expectations::suggest_instead;
 use crate::studies::run::Motion;
 use crate::studies::{RunSettings, lookup};
-
-/// The figure of a map when none is asked for: the greatest |δ| of the last elastic
-/// object, drivers before what they drive; `None` when nothing is elastic.
-pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> {
-    let elastic = |id: &&String| {
-        let part = model.objects.iter().find(|part| part.id == **id);
-        part.is_some_and(|part| !part.links.is_empty() || part.driven_end.is_some())
-    };
-    let last = order.iter().rev().find(elastic)?;
-    Some(format!("{last}.delta_abs"))
-}
-
-/// Why there is no figure to begin with, and which there are in every cell: those
-/// of an object's whole motion, which rigid objects and drives have as well.
-pub(super) fn no_elastic_object_message(model: &Model) -> String {
-    let driven = model.objects.iter().rev().find(|part| !part.is_drive());
-    let id = driven.or(model.objects.last());
-    let id = id.map_or("object", |part| part.id.as_str());
-    let all = ["peak_speed", "peak_acceleration", "peak_reaction"];
-    let all = all.map(|name| format!("{id}.{name}")).join(", ");
-    format!(
-        "nothing in this scene is elastic at the corners and in the middle of the map: there is \
-         no δ to map. Name a result with --figure; every cell has for example {all}"
-    )
-}
+use std::cell::OnceCell;
 
 /// Checks that a run of a model has a figure.
 pub(in crate::studies) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
@@ -90,11 +66,22 @@ fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
     })
 }
 
-/// The object of a figure (index in the model), if it is elastic, with what a run has to
-/// find for the figure and its scale (extremes of δ in any case). `None` where a run has
-/// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
-/// is judged by.
-pub(super) fn figure_of_object(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {
+/// What a run has to find of each object for some figures and their scales, by the index of
+/// the object (extremes of δ in any case). `None` where it has to find everything: for other
+/// figures than those of elastic objects, or with rigid pairs, whose margins a mechanism is
+/// judged by.
+pub(super) fn requested(figures: &[String], model: &Model) -> Option<Vec<RequestedFigures>> {
+    let mut all = vec![RequestedFigures::DEVIATION; model.objects.len()];
+    for figure in figures {
+        let (object, asked) = figure_of_object(figure, model)?;
+        all[object] = all[object].union(asked);
+    }
+    Some(all)
+}
+
+/// The object of a figure (index in the model) with what a run has to find for it; `None`
+/// where it has to find everything.
+fn figure_of_object(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {
     let (object, name) = object_and_figure(figure, model)?;
     let margins = |part: &ObjectPart| {
         let pair = part.rigid_pair;
@@ -130,20 +117,6 @@ fn object_and_figure<'f>(figure: &'f str, model: &Model) -> Option<(usize, &'f s
     Some((object, name))
 }
 
-/// What a difference in a figure is measured against: see [`Figures::scale`].
-pub(super) fn scale_of_figure(
-    figure: &str,
-    model: &Model,
-    settings: &RunSettings,
-    found: &Motion,
-) -> f64 {
-    let own = object_and_figure(figure, model);
-    let own = own.and_then(|(object, name)| {
-        scale_of_object(&found.recorded.figures[object], name, found.outcome.time)
-    });
-    own.unwrap_or_else(|| run_figures(model, settings, found).scale(figure))
-}
-
 /// The same of a figure that [`of_object`] knows; `time` is that of the run (s).
 fn scale_of_object(figures: &ObjectFigures, name: &str, time: f64) -> Option<f64> {
     let own = of_object(figures, name)?;
@@ -158,25 +131,56 @@ fn scale_of_object(figures: &ObjectFigures, name: &str, time: f64) -> Option<f64
     })
 }
 
-/// The value of a figure; `None` when it has none in this run.
-pub(super) fn read(
-    figure: &str,
-    model: &Model,
-    settings: &RunSettings,
-    found: &Motion,
-) -> Option<f64> {
-    let own = object_and_figure(figure, model);
-    let own = own.and_then(|(object, name)| of_object(&found.recorded.figures[object], name));
-    // (Most figures need no document to be read.)
-    own.or_else(|| run_figures(model, settings, found).value(figure).ok())
+/// The figures that a run found. Most are read without its document, which is made once.
+pub(super) struct FoundFigures<'f> {
+    model: &'f Model,
+    settings: &'f RunSettings,
+    found: &'f Motion,
+    document: OnceCell<Figures>,
 }
 
-/// The document of a run.
-fn run_figures(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
-    let (outcome, recorded) = (&found.outcome, &found.recorded);
-    let window = found.window.clone();
-    let run = summary(settings, outcome, &found.choice, recorded, window);
-    document(model, settings, &recorded.figures, run, &[])
+impl<'f> FoundFigures<'f> {
+    pub(super) fn new(model: &'f Model, settings: &'f RunSettings, found: &'f Motion) -> Self {
+        Self {
+            model,
+            settings,
+            found,
+            document: OnceCell::new(),
+        }
+    }
+
+    /// The value of a figure; `None` when it has none in this run.
+    pub(super) fn value(&self, figure: &str) -> Option<f64> {
+        let own = object_and_figure(figure, self.model);
+        let objects = &self.found.recorded.figures;
+        let own = own.and_then(|(object, name)| of_object(&objects[object], name));
+        own.or_else(|| self.document().value(figure).ok())
+    }
+
+    /// The value of a figure within a part of the motion that the run was asked for.
+    pub(super) fn value_within(&self, span: &SpanFigure) -> Option<f64> {
+        let extreme = self.found.recorded.spans.get(&span.address)?.as_ref()?;
+        self.value(&span.figure).map(|_| extreme.value)
+    }
+
+    /// What a difference in a figure is measured against: see [`Figures::scale`].
+    pub(super) fn scale(&self, figure: &str) -> f64 {
+        let own = object_and_figure(figure, self.model).and_then(|(object, name)| {
+            let found = self.found;
+            scale_of_object(&found.recorded.figures[object], name, found.outcome.time)
+        });
+        own.unwrap_or_else(|| self.document().scale(figure))
+    }
+
+    /// The document of the run.
+    fn document(&self) -> &Figures {
+        self.document.get_or_init(|| {
+            let (outcome, recorded) = (&self.found.outcome, &self.found.recorded);
+            let window = self.found.window.clone();
+            let run = summary(self.settings, outcome, &self.found.choice, recorded, window);
+            document(self.model, self.settings, &recorded.figures, run, &[])
+        })
+    }
 }
 
 /// SI unit of a figure; empty for counts and answers.
