@@ -127,7 +127,7 @@ def over(random_, scene):
 def fitting(random_, scene):
     """Commands that have something to say of a scene; now and then all of them."""
     everywhere = ["run", "run", "run", "run", "check", "show", "compare", "map", "free", "law",
-                  "reduce", "linearise", "response"]
+                  "reduce", "linearise", "response", "orders"]
     others = ["kinematics", "forces", "cam", "steady", "methods", "schema"]
     if random_.random() < 0.05:
         return everywhere + others

@@ -220,6 +220,7 @@ const BASES: &[(&str, &[&str])] = &[
     ),
     ("linearise", &["scenarios/rocker/two_masses.json"]),
     ("response", &["scenarios/rocker/two_masses.json"]),
+    ("orders", &[ROCKER, "--points", "3"]),
     ("law show", &["cycloidal"]),
     (
         "law cycle",
@@ -257,6 +258,9 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--time", &["0.05"]),
     ("--input", &["q1=0.1", "rocker.load"]),
     ("--output", &["rocker.delta"]),
+    ("--speeds", &["100:900 rpm"]),
+    ("--highest", &["7"]),
+    ("--points", &["4"]),
     ("--frequencies", &["10:4000 Hz:50"]),
     ("--speed", &["7 rad/s"]),
     ("--acceleration", &["3 rad/s^2"]),

@@ -102,7 +102,7 @@ const FIVE_BAR: [&str; 6] = [
 ];
 
 /// Commands that write a page: arguments, least number of charts, whether something moves.
-const PAGES: [(&[&str], usize, bool); 15] = [
+const PAGES: [(&[&str], usize, bool); 16] = [
     (&["run", "scenarios/valve_train/lift_off.json"], 6, true),
     (
         &[
@@ -195,6 +195,16 @@ const PAGES: [(&[&str], usize, bool); 15] = [
     (
         &["response", "scenarios/rocker/ten_masses_closed.json"],
         8,
+        false,
+    ),
+    (
+        &[
+            "orders",
+            "scenarios/valve_train/in_working_order.json",
+            "--points",
+            "20",
+        ],
+        2,
         false,
     ),
 ];

@@ -46,7 +46,7 @@ pub(crate) struct OrdersArgs {
     #[arg(long, value_name = "ORDER", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     pub(crate) highest: u16,
     /// Amplitude of a deviation from which on a resonance counts: "0.1 mrad" [default: 1 % of the
-    /// greatest deviation over the speeds]
+    /// greatest deviation at the speed of the scene]
     #[arg(long, value_name = "DEVIATION")]
     pub(crate) accuracy: Option<String>,
     /// Speeds at which the greatest deviation is found

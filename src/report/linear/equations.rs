@@ -2,11 +2,12 @@
 
 use super::left_out_table;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
-use crate::report::plot::{Axis, Plot, Series};
-use crate::report::quantity::{counted, with_unit};
+use crate::report::plot::{Axis, Mark, Plot, Rule, Series, Shape};
+use crate::report::quantity::{counted, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict, capitalised};
-use crate::studies::linear::{Linearisation, Mode, Signal, TreeModes};
+use crate::studies::linear::{Linearisation, Mode, OperatingPoint, Signal, TreeModes};
 use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
 
 /// Most modes whose shapes are drawn.
 const DRAWN: usize = 6;
@@ -34,6 +35,12 @@ pub fn equations_findings<'a>(
             sections.push(shapes.charts(Layout::Wide(360.0), "", vec![shapes_chart(tree)]));
         }
     }
+    if found.modes.is_empty() {
+        let steady = Section::new("Steady turning").table(operating_table(found));
+        sections.push(steady);
+        let eigenvalues = Section::new("Eigenvalues").table(eigenvalues_table(found));
+        sections.push(eigenvalues.charts(Layout::Wide(360.0), "", vec![eigenvalues_chart(found)]));
+    }
     let space = &found.state_space;
     sections.push(Section::new("Inputs").table(signals_table(&space.inputs)));
     sections.push(Section::new("Outputs").table(signals_table(&space.outputs)));
@@ -55,10 +62,20 @@ fn answer(found: &Linearisation) -> Verdict {
     let lowest = lowest
         .map(|mode| mode.frequency)
         .fold(f64::INFINITY, f64::min);
-    let headline = format!(
-        "The lowest natural frequency is {}.",
-        with_unit(lowest, "Hz", 5)
-    );
+    let unstable = found.eigenvalues.iter().any(|own| own[0] > 0.0);
+    let headline = match (found.modes.is_empty(), unstable) {
+        (false, _) => format!(
+            "The lowest natural frequency is {}.",
+            with_unit(lowest, "Hz", 5)
+        ),
+        (true, true) => "The steady turning is unstable: a disturbance grows.".to_owned(),
+        (true, false) => {
+            let slowest = found.eigenvalues.iter().map(|own| -own[0]);
+            let slowest = slowest.fold(f64::INFINITY, f64::min);
+            let time = with_unit(1.0 / slowest, "s", 4);
+            format!("The steady turning is stable: the slowest disturbance decays in {time}.")
+        }
+    };
     let space = &found.state_space;
     let text = format!(
         "{}, {} and {}. {}.",
@@ -68,6 +85,56 @@ fn answer(found: &Linearisation) -> Verdict {
         capitalised(&found.validity)
     );
     Verdict::answer(Sort::Recommended, headline, text)
+}
+
+fn operating_table(found: &Linearisation) -> Table {
+    let row = |own: &OperatingPoint| {
+        let value = Value::new(own.value, &own.unit, DIGITS);
+        vec![Cell::from(own.name.as_str()), value.into()]
+    };
+    Table::new(["quantity", ">value"]).rows(found.operating_point.iter().map(row))
+}
+
+/// Each eigenvalue with the frequency and the damping ratio of its oscillation.
+fn eigenvalues_table(found: &Linearisation) -> Table {
+    let row = |&[re, im]: &[f64; 2]| {
+        let size = re.hypot(im);
+        let (frequency, ratio) = match im > 0.0 {
+            true => (Some(im / TAU), Some(-re / size)),
+            false => (None, None),
+        };
+        vec![
+            Cell::from(Value::new(re, "1/s", DIGITS)),
+            Value::new(im, "1/s", DIGITS).into(),
+            Cell::known_number(frequency, "Hz", DIGITS),
+            Cell::known_number(ratio, "", DIGITS),
+        ]
+    };
+    let heads = [">real part", ">imaginary part", ">frequency", ">ζ"];
+    Table::new(heads).rows(found.eigenvalues.iter().map(row))
+}
+
+/// The eigenvalues in the plane, with their conjugates.
+fn eigenvalues_chart(found: &Linearisation) -> Plot {
+    let both = found
+        .eigenvalues
+        .iter()
+        .flat_map(|&[re, im]| [(re, im), (re, -im)]);
+    let points: Vec<(f64, f64)> = both.collect();
+    let marks = points.iter().map(|&(re, im)| {
+        let [re, im] = [re, im].map(|part| significant(part, 6));
+        Mark::new(Shape::Good, format!("{re} + {im}i"))
+    });
+    let marks = marks.collect();
+    Plot {
+        rules: vec![Rule::upright(0.0)],
+        ..Plot::new(
+            "Eigenvalues",
+            Axis::new("real part", "1/s"),
+            "1/s",
+            vec![Series::marked("eigenvalues", points, marks)],
+        )
+    }
 }
 
 fn modes_table(tree: &TreeModes) -> Table {

@@ -97,7 +97,7 @@ fn plain_unit(pair: &PairResponse) -> &str {
 /// Up to where the model of a pair is right.
 fn right_words(found: &FrequencyResponse, pair: &PairResponse) -> String {
     let accuracy = format!("{} %", significant(100.0 * found.accuracy, 3));
-    match (&found.unjudged, pair.right_up_to) {
+    match (&found.judged_by.missing, pair.right_up_to) {
         (Some(why), _) => format!("The error of the model is not known: {why}."),
         (None, _) if pair.right_everywhere => {
             format!("The model is right to {accuracy} at all these frequencies.")
@@ -147,7 +147,7 @@ fn decibel(gain: f64) -> f64 {
 }
 
 fn error_table(found: &FrequencyResponse) -> Table {
-    if found.finer.is_none() {
+    if found.judged_by.times.is_none() {
         return Table::new(["output", "by", ">right up to"]);
     }
     let row = |pair: &PairResponse| {
@@ -169,15 +169,15 @@ fn error_table(found: &FrequencyResponse) -> Table {
 }
 
 fn error_words(found: &FrequencyResponse) -> String {
-    match (&found.finer, &found.unjudged) {
-        (Some(finer), _) => format!(
-            "Errors are those against {} times the masses: {}. A model is right if its error is at most {} %.",
-            finer.times,
-            finer.levels,
+    let by = &found.judged_by;
+    match (by.times, &by.levels, &by.missing) {
+        (Some(times), Some(levels), _) => format!(
+            "Errors are those against {times} times the masses: {levels}. A model is right if its \
+             error is at most {} %.",
             significant(100.0 * found.accuracy, 3)
         ),
-        (None, Some(why)) => format!("{}.", capitalised(why)),
-        (None, None) => String::new(),
+        (_, _, Some(why)) => format!("{}.", capitalised(why)),
+        _ => String::new(),
     }
 }
 

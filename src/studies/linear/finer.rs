@@ -4,7 +4,6 @@ use super::model::LinearModel;
 use crate::dynamics::system::System;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Levels, TypedScene, in_words};
-use serde::Serialize;
 
 /// Masses of the finer model for one of the model, where there is room. The finer model has a
 /// sixteenth of the error of the model or less.
@@ -14,13 +13,12 @@ const TIMES: usize = 16;
 const MOST_MASSES: usize = 4000;
 
 /// A finer model of the same scene.
-#[derive(Clone, Debug, Serialize)]
-pub struct FinerModel {
+#[derive(Clone, Debug)]
+pub(super) struct FinerModel {
     /// Masses in place of one.
-    pub times: usize,
+    pub(super) times: usize,
     /// Its objects with their levels, in words.
-    pub levels: String,
-    #[serde(skip)]
+    pub(super) levels: String,
     pub(super) model: LinearModel,
 }
 
@@ -29,7 +27,7 @@ impl FinerModel {
     ///
     /// # Errors
     /// Why there is none, in a sentence.
-    pub fn of(scene: &mut TypedScene, model: &LinearModel) -> Result<Self, String> {
+    pub(super) fn of(scene: &mut TypedScene, model: &LinearModel) -> Result<Self, String> {
         let elastic = scene.elastic();
         let uniform = elastic.objects.iter();
         let levels = uniform.filter_map(|(id, (_, level))| Some((id.clone(), (*level)?)));

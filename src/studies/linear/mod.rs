@@ -14,13 +14,17 @@
 //! Conventions: time dependence e^{+iωt}; H = output/input; a phase in (−π, π], positive where
 //! the output leads. Base motion enters displacements as (c₁ + b₁·s)·L.
 //!
+//! A machine that a motor turns steadily is linearised about that motion (`machine`): its states
+//! are twists and speeds, and its angle counts for nothing.
+//!
 //! The error of the model is found by the same answer of a model with more masses (`finer`).
 //!
 //! Limits: objects reduced to modes, contacts whose force is not linear, rigid contacts, joint
-//! friction, and objects that a torque turns are refused with the reason.
+//! friction, and machines with linkages or varying ratios behind a motor are refused with the reason.
 
 mod finer;
 mod frequencies;
+mod machine;
 mod model;
 mod modes;
 mod peaks;
@@ -30,11 +34,10 @@ mod state_space;
 #[cfg(test)]
 mod tests;
 
-pub use finer::FinerModel;
 pub use frequencies::{MOST_NUMBERS, check as check_frequencies, usual as usual_frequencies};
 pub use model::{LeftOut, LinearModel};
 pub use modes::{Mode, TreeModes};
 pub use peaks::ResponsePeak;
-pub use response::{FrequencyResponse, PairResponse, ResponseQuestion, response};
+pub use response::{FrequencyResponse, JudgedBy, PairResponse, ResponseQuestion, response};
 pub use signals::{InputSignal, OutputSignal, Signal};
-pub use state_space::{Linearisation, StateSpace, linearise};
+pub use state_space::{Linearisation, OperatingPoint, StateSpace, linearise};

@@ -45,14 +45,23 @@ pub struct FrequencyResponse {
     pub pairs: Vec<PairResponse>,
     /// Relative error that the model may have.
     pub accuracy: f64,
-    /// Model by which the error of the model is judged; null without one.
-    pub finer: Option<FinerModel>,
-    /// Why the error of the model is not judged; null if it is.
-    pub unjudged: Option<String>,
+    /// How the error of the model was judged.
+    pub judged_by: JudgedBy,
     /// Objects without linear equations, with the reason.
     pub left_out: Vec<LeftOut>,
     /// Warnings: frequencies at which the response is unbounded.
     pub warnings: Vec<String>,
+}
+
+/// How the error of a model was judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JudgedBy {
+    /// Masses of the finer model in place of one; null without one.
+    pub times: Option<usize>,
+    /// Objects of the finer model with their levels, in words; null without one.
+    pub levels: Option<String>,
+    /// Why the error is not judged; null if it is.
+    pub missing: Option<String>,
 }
 
 /// Response of an output to an input.
@@ -143,9 +152,10 @@ pub fn response(
         return Err(faults);
     }
     let finer = FinerModel::of(scene, &model);
-    let (finer, unjudged) = match finer {
-        Ok(finer) => (Some(finer), None),
-        Err(why) => (None, Some(why)),
+    let judged_by = JudgedBy {
+        times: finer.as_ref().ok().map(|own| own.times),
+        levels: finer.as_ref().ok().map(|own| own.levels.clone()),
+        missing: finer.as_ref().err().cloned(),
     };
     let study = Study {
         modes: model
@@ -165,10 +175,9 @@ pub fn response(
         warnings: study.unbounded(&pairs),
         pairs,
         accuracy,
-        unjudged,
+        judged_by,
         left_out: model.left_out.clone(),
         frequencies,
-        finer,
     })
 }
 

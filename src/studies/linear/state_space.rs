@@ -1,5 +1,6 @@
 //! State space and second-order equations of a linear model.
 
+use super::machine::{has_motor, linearise_machine};
 use super::model::{LeftOut, LinearModel, NamedObject};
 use super::modes::TreeModes;
 use super::signals::{InputSignal, Signal};
@@ -14,17 +15,43 @@ const MOST_MASSES: usize = 400;
 /// The linear equations of a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Linearisation {
-    /// What was linearised: `chain behind a prescribed drive`.
+    /// What was linearised: `chain behind a prescribed drive`, or `machine in steady turning`.
     pub case: &'static str,
     /// When the equations hold.
     pub validity: String,
     /// State space, and mass, damping and stiffness matrices.
     #[serde(flatten)]
     pub state_space: StateSpace,
-    /// Natural modes of each tree of masses.
+    /// State about which a machine was linearised: speeds and deviations. Empty behind a
+    /// prescribed drive, where the equations do not depend on it.
+    pub operating_point: Vec<OperatingPoint>,
+    /// Natural modes of each tree of masses; none of a machine behind a motor.
     pub modes: Vec<TreeModes>,
+    /// Eigenvalues of A with an imaginary part ≥ 0 (1/s), least modulus first.
+    pub eigenvalues: Vec<[f64; 2]>,
     /// Objects without linear equations, with the reason.
     pub left_out: Vec<LeftOut>,
+}
+
+/// A quantity at the operating point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OperatingPoint {
+    /// Name: `motor.speed`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// Value.
+    pub value: f64,
+}
+
+impl OperatingPoint {
+    pub(super) fn new(name: String, unit: &str, value: f64) -> Self {
+        Self {
+            name,
+            unit: unit.to_owned(),
+            value,
+        }
+    }
 }
 
 /// ẋ = A·x + B·u, y = C·x + D·u, with x = [q, q̇], in SI units.
@@ -48,15 +75,15 @@ pub struct StateSpace {
     /// D, outputs × inputs.
     #[serde(rename = "D", serialize_with = "as_rows")]
     pub d: DMatrix<f64>,
-    /// Mass matrix of the deviations, diagonal.
-    #[serde(serialize_with = "as_rows")]
-    pub mass: DMatrix<f64>,
-    /// Damping matrix of the deviations.
-    #[serde(serialize_with = "as_rows")]
-    pub damping: DMatrix<f64>,
-    /// Stiffness matrix of the deviations.
-    #[serde(serialize_with = "as_rows")]
-    pub stiffness: DMatrix<f64>,
+    /// Mass matrix of the deviations, diagonal; null of a machine.
+    #[serde(serialize_with = "as_rows_if_known")]
+    pub mass: Option<DMatrix<f64>>,
+    /// Damping matrix of the deviations; null of a machine.
+    #[serde(serialize_with = "as_rows_if_known")]
+    pub damping: Option<DMatrix<f64>>,
+    /// Stiffness matrix of the deviations; null of a machine.
+    #[serde(serialize_with = "as_rows_if_known")]
+    pub stiffness: Option<DMatrix<f64>>,
 }
 
 /// A matrix as a list of its rows.
@@ -65,11 +92,26 @@ fn as_rows<S: serde::Serializer>(matrix: &DMatrix<f64>, into: S) -> Result<S::Ok
     into.collect_seq((0..matrix.nrows()).map(row))
 }
 
-/// Linearises the elastic objects of a system behind prescribed drives.
+/// A matrix as a list of its rows, where there is one.
+fn as_rows_if_known<S: serde::Serializer>(
+    matrix: &Option<DMatrix<f64>>,
+    into: S,
+) -> Result<S::Ok, S::Error> {
+    match matrix {
+        Some(matrix) => as_rows(matrix, into),
+        None => into.serialize_none(),
+    }
+}
+
+/// Linearises the elastic objects of a system behind prescribed drives, or a machine in the
+/// steady turning of its motor.
 ///
 /// # Errors
 /// No object has linear equations; there are too many masses; modes cannot be found.
 pub fn linearise(system: &System) -> Result<Linearisation, Vec<Fault>> {
+    if has_motor(system.model()) {
+        return linearise_machine(system);
+    }
     let model = LinearModel::of(system)?;
     let masses = model.masses();
     if masses > MOST_MASSES {
@@ -84,10 +126,34 @@ pub fn linearise(system: &System) -> Result<Linearisation, Vec<Fault>> {
     Ok(Linearisation {
         case: "chain behind a prescribed drive",
         validity: validity(&model),
+        operating_point: Vec::new(),
         state_space: StateSpace::of(&model),
         modes: TreeModes::of(&model)?,
+        eigenvalues: Vec::new(),
         left_out: model.left_out,
-    })
+    }
+    .with_eigenvalues())
+}
+
+impl Linearisation {
+    /// With the eigenvalues: the poles of the trees, else those of A.
+    pub(super) fn with_eigenvalues(mut self) -> Self {
+        let mut all: Vec<[f64; 2]> = match self.modes.is_empty() {
+            false => self
+                .modes
+                .iter()
+                .flat_map(|tree| tree.poles.clone())
+                .collect(),
+            true => {
+                let values = self.state_space.a.complex_eigenvalues();
+                let upper = values.iter().filter(|value| value.im >= 0.0);
+                upper.map(|value| [value.re, value.im]).collect()
+            }
+        };
+        all.sort_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
+        self.eigenvalues = all;
+        self
+    }
 }
 
 /// When the equations of a model hold.
@@ -168,9 +234,9 @@ impl StateSpace {
             b,
             c,
             d,
-            mass,
-            damping,
-            stiffness,
+            mass: Some(mass),
+            damping: Some(damping),
+            stiffness: Some(stiffness),
         }
     }
 }

@@ -205,11 +205,24 @@ fn matrices_answer_as_the_elimination_does() {
         for input in model.inputs() {
             for at in [7.0, 160.0, 900.0, 3500.0] {
                 let expected = by_matrices(&space, &input.signal.name, at);
+                let s = C::new(0.0, TAU * at);
+                let tree = &model.trees[input.tree].equations;
+                let q = input.deviations(tree, s).expect("no pole");
                 for (place, output) in model.outputs().iter().enumerate() {
                     let own = model.transfer(&input, output, at).expect("no pole");
+                    // (Matrices lose what cancels between the law and the deviations.)
+                    let greatest = q.iter().fold(0.0f64, |most, one| most.max(one.norm()));
+                    let terms = output.row.terms.iter();
+                    let terms = terms.map(|(_, [x, v])| greatest * (x.abs() + (s * v).norm()));
+                    let [x, v, a] = output.row.law.map(f64::abs);
+                    let law = input.law() * (x + s.norm() * (v + s.norm() * a));
+                    let scale = terms.sum::<f64>() + law;
+                    let error = (own - expected[place]).norm();
                     let name = &output.signal.name;
-                    // (Matrices lose what cancels between the law and the deviation.)
-                    close(own, expected[place], 1e-8, &format!("{name} {at}"));
+                    assert!(
+                        error <= 1e-9 * own.norm() + 1e-12 * scale,
+                        "{name} {at}: {error:e}"
+                    );
                 }
             }
         }
@@ -306,7 +319,7 @@ fn the_error_of_the_model_is_that_against_the_continuum() {
         ..ResponseQuestion::default()
     };
     let found = ask(&mut ready, &question).expect("a response");
-    assert_eq!(found.finer.as_ref().map(|finer| finer.times), Some(16));
+    assert_eq!(found.judged_by.times, Some(16));
     let pair = &found.pairs[0];
     let error_of = |re: f64, im: f64, at: f64| {
         let exact = lever(case, at);
@@ -424,6 +437,20 @@ fn what_has_no_linear_equations_is_refused_with_the_reason() {
             .join("; ")
     };
     assert!(refused("shafts/two_rotors").contains("torque"));
+    let scene = std::fs::read_to_string("scenarios/shafts/two_rotors.json").expect("a scene");
+    let faults = linearise(&ready(&scene).system).unwrap_err();
+    assert!(
+        faults[0].message.contains("no steady turning"),
+        "{}",
+        faults[0].message
+    );
+    let scene = std::fs::read_to_string("scenarios/rigid/pump.json").expect("a scene");
+    let faults = linearise(&ready(&scene).system).unwrap_err();
+    assert!(
+        faults[0].message.contains("ratio changes"),
+        "{}",
+        faults[0].message
+    );
     let case = &reference()["lever_two_masses"];
     let rigid = ready(&text(case, r#""masses": 0"#));
     let message = LinearModel::of(&rigid.system).unwrap_err()[0]
@@ -435,4 +462,83 @@ fn what_has_no_linear_equations_is_refused_with_the_reason() {
         .message
         .clone();
     assert!(message.contains("vibration modes"), "{message}");
+}
+
+#[test]
+fn a_machine_in_steady_turning_has_the_matrices_of_the_reference() {
+    let case = &reference()["motor_shaft_load"];
+    let [inertia, slope, stiffness, damping, load, viscous, ratio] = [
+        "motor_inertia",
+        "characteristic_slope",
+        "stiffness",
+        "damping_capacity",
+        "load_inertia",
+        "load_viscous",
+        "ratio",
+    ]
+    .map(|name| number(&case[name]));
+    let torque = 1500.0;
+    let speed = torque / slope;
+    let ready = ready(&format!(
+        r#"{{ "dam": 1, "name": "motor", "run": {{ "duration": 0.1 }}, "objects": {{
+            "motor": {{ "kind": "drive", "motor": {{ "inertia": {inertia}, "torque": {{
+                "linear": {{ "no_load_speed": {speed}, "stall_torque": {torque} }} }} }} }},
+            "load": {{ "kind": "shaft", "input": "motor", "position": {{ "ratio": {ratio} }},
+                "inertia": {load}, "stiffness": {stiffness}, "damping_capacity": {damping},
+                "masses": 1, "loads": {{ "drag": {{ "viscous": {viscous} }} }} }} }} }}"#
+    ));
+    let found = linearise(&ready.system).expect("linear");
+    assert_eq!(found.case, "machine in steady turning");
+    let space = &found.state_space;
+    let names: Vec<&str> = space.states.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["load.deviation", "motor.speed", "load.speed"]);
+    for (i, row) in case["A"].as_array().expect("rows").iter().enumerate() {
+        for (j, entry) in row.as_array().expect("a row").iter().enumerate() {
+            let expected = number(entry);
+            let own = space.a[(i, j)];
+            assert!(
+                (own - expected).abs() <= 1e-12 * expected.abs().max(1.0),
+                "{i} {j} {own}"
+            );
+        }
+    }
+    let column = space
+        .inputs
+        .iter()
+        .position(|one| one.name == "load.load")
+        .expect("input");
+    for (i, entry) in case["B"].as_array().expect("a column").iter().enumerate() {
+        approx::assert_abs_diff_eq!(space.b[(i, column)], number(entry), epsilon = 1e-11);
+    }
+    // −ζω of the slow one first; the two others are conjugates.
+    let expected = case["eigenvalues"].as_array().expect("eigenvalues");
+    for (own, of) in found.eigenvalues.iter().zip(expected) {
+        approx::assert_relative_eq!(own[0], number(&of[0]), max_relative = 1e-10);
+        let im = number(&of[1]).abs();
+        approx::assert_abs_diff_eq!(own[1], im, epsilon = 1e-10 * im.max(1.0));
+    }
+    for row in case["responses"].as_array().expect("rows") {
+        let at = number(&row["frequency_Hz"]);
+        let all = by_matrices(space, "load.load", at);
+        for (key, output) in [
+            ("twist", "load.delta"),
+            ("motor_speed", "motor.speed"),
+            ("load_speed", "load.speed"),
+        ] {
+            let expected = C::new(number(&row[key][0]), number(&row[key][1]));
+            let place = space
+                .outputs
+                .iter()
+                .position(|one| one.name == output)
+                .expect("output");
+            close(all[place], expected, 1e-10, &format!("{key} {at}"));
+        }
+    }
+    // The torque of the motor holds the drag: 7.5·(200 − ω) = 2·1.2·2·ω.
+    let speed = found
+        .operating_point
+        .iter()
+        .find(|one| one.name == "motor.speed")
+        .expect("it");
+    approx::assert_relative_eq!(speed.value, 1500.0 / (7.5 + 4.8), max_relative = 1e-12);
 }

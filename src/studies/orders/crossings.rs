@@ -18,7 +18,7 @@ pub struct OrdersQuestion {
     /// Highest order of the drive.
     pub highest: usize,
     /// Amplitude of a deviation (rad or m) from which on a crossing counts; `None`: 1 % of the
-    /// greatest deviation over the speeds.
+    /// greatest deviation at the speed of the scene.
     pub accuracy: Option<f64>,
     /// Number of speeds at which the greatest deviation is found.
     pub points: usize,
@@ -264,13 +264,17 @@ impl TreeStudy<'_> {
         let frequencies: Vec<f64> = oscillating.map(|mode| mode.frequency).collect();
         let orders = self.all_orders(speed, &frequencies);
         let over_speed = self.over_speed(speeds);
-        let greatest = over_speed.iter().filter_map(|point| point.greatest);
-        let usual = USUAL * greatest.fold(0.0, f64::max);
-        let accuracy = self.question.accuracy.unwrap_or(usual);
         let (deviation, deviation_missing) = match self.periodic.deviation(self.law.speed) {
             Ok(found) => (Some(found), None),
             Err(why) => (None, Some(why)),
         };
+        let usual = deviation.as_ref().map(|own| own.greatest.abs());
+        // (Without a motion there, that of any other speed.)
+        let usual = usual.or_else(|| over_speed.iter().find_map(|point| point.greatest));
+        let accuracy = self
+            .question
+            .accuracy
+            .unwrap_or(USUAL * usual.unwrap_or(0.0));
         let mut parts = self.periodic.model.objects.iter();
         let drive = parts.find(|part| part.nodes.first() == Some(&self.law.drive));
         TreeOrders {

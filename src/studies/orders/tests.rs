@@ -90,7 +90,7 @@ fn orders_and_the_deviation_of_the_cam_are_those_of_the_reference() {
 fn the_sum_of_orders_is_the_periodic_motion() {
     let ready = scene(CAM, "");
     let question = OrdersQuestion {
-        highest: 400,
+        highest: 4000,
         ..few()
     };
     let tree = &ask(&ready, &question).trees[0];
@@ -107,7 +107,7 @@ fn the_sum_of_orders_is_the_periodic_motion() {
             (gain * wave * nalgebra::Complex::from_polar(1.0, order.order * angle)).re
         };
         let sum: f64 = tree.orders.iter().rev().map(part).sum();
-        approx::assert_abs_diff_eq!(sum, *value, epsilon = 2e-7 * deviation.greatest.abs());
+        approx::assert_abs_diff_eq!(sum, *value, epsilon = 1e-8 * deviation.greatest.abs());
     }
 }
 
@@ -136,6 +136,7 @@ fn crossings_count_by_their_amplitude() {
     let question = OrdersQuestion {
         speeds: Some([800.0 * TAU / 60.0, 4000.0 * TAU / 60.0]),
         points: 4,
+        accuracy: Some(5e-3),
         ..few()
     };
     let tree = &ask(&scene(CAM, ""), &question).trees[0];
@@ -220,7 +221,7 @@ fn a_drive_that_turns_backwards_or_from_another_angle_has_the_same_orders() {
         let scene = Scene::from_json(&text(speed, angle)).expect("JSON");
         let ready = Mechanism::of(scene.decode().expect("a scene")).expect("a mechanism");
         let question = OrdersQuestion {
-            highest: 100,
+            highest: 2000,
             ..few()
         };
         let tree = &ask(&ready, &question).trees[0];
@@ -250,7 +251,7 @@ fn a_drive_that_turns_backwards_or_from_another_angle_has_the_same_orders() {
                 (gain * wave).re
             };
             let sum: f64 = tree.orders.iter().rev().map(part).sum();
-            approx::assert_abs_diff_eq!(sum, *value, epsilon = 1e-6 * deviation.greatest.abs());
+            approx::assert_abs_diff_eq!(sum, *value, epsilon = 1e-7 * deviation.greatest.abs());
         }
     }
 }
