@@ -23,7 +23,7 @@ SCHEMA = ROOT / "docs/site/reference/answers.schema.json"
 Schema = dict[str, Any]
 
 # Commands that are asked of every scenario; each takes those that it fits.
-OF_SCENES = ["check", "show", "run", "kinematics", "forces", "cam", "steady", "verify"]
+OF_SCENES = ["check", "show", "run", "kinematics", "forces", "cam", "steady", "verify", "linearise", "response"]
 # Options that the answer does not depend on.
 LEFT_OUT = ["--help", "--quiet", "--json", "--out", "--force", "--time-limit", "--units", "--significant", "--resume", "--merge", "--threads"]
 # What else gives members that no scenario has.
@@ -58,6 +58,10 @@ MORE = [
     ["kinematics", CRANK, "--time", "0.05"],
     ["kinematics", CRANK, "--range", "10 deg:50 deg"],
     ["reduce", "scenarios/rocker/two_masses.json", "--set", "run.duration=0.05"],
+    ["response", "scenarios/rocker/two_masses.json", "--set", "rocker.damping_capacity=0"],
+    ["orders", "scenarios/valve_train/in_working_order.json", "--points", "5"],
+    ["orders", "scenarios/valve_train/lift_off.json", "--points", "5"],
+    ["orders", "scenarios/rocker/two_masses.json", "--points", "2", "--set", "rocker.damping_capacity=0", "--speeds", "100:200000 rpm"],
     ["verify", "scenarios/rocker/one_mass.json", "scenarios/cams/flat_tappet.json"],
     ["run", "no_such_file.json"],
     ["check", "tests/diagnostics/many_faults.json"],
@@ -363,6 +367,29 @@ MEANINGS: dict[str, str] = {
     "dam find/vary": "Parameter and its range.",
     "dam verify/holds": "True when every requirement holds.",
     "dam verify/scenes": "Each scene with its requirements and their judgement.",
+    "dam linearise/A": "Matrix A of ẋ = A·x + B·u, a list of its rows.",
+    "dam linearise/B": "Matrix B, a list of its rows.",
+    "dam linearise/C": "Matrix C of y = C·x + D·u, a list of its rows.",
+    "dam linearise/D": "Matrix D, a list of its rows.",
+    "dam linearise/mass": "Mass matrix of the deviations, a list of its rows.",
+    "dam linearise/damping": "Damping matrix of the deviations, a list of its rows.",
+    "dam linearise/stiffness": "Stiffness matrix of the deviations, a list of its rows.",
+    "dam linearise/case": "What was linearised.",
+    "dam linearise/validity": "When the equations hold.",
+    "dam linearise/states": "Names and units of the states: deviations of the masses, then their speeds.",
+    "dam linearise/inputs": "Names and units of the inputs: each law with two derivatives, and loads.",
+    "dam linearise/outputs": "Names and units of the outputs.",
+    "dam linearise/modes": "Natural modes of each tree of masses.",
+    "dam linearise/left_out": "Objects without linear equations, with the reason.",
+    "dam linearise/operating_point": "Speeds and deviations about which a machine was linearised; empty behind a prescribed drive.",
+    "dam linearise/eigenvalues": "Eigenvalues of A with an imaginary part of 0 or more (1/s): real and imaginary part.",
+    "dam response/accuracy": "Relative error that the model may have.",
+    "dam response/judged_by": "How the error of the model was judged.",
+    "dam response/frequencies": "Frequencies (Hz).",
+    "dam response/pairs": "Response of each output to each input.",
+    "dam orders/left_out": "Objects without orders, with the reason.",
+    "dam orders/trees": "Orders, crossings and deviations of each tree of masses.",
+    "dam response/left_out": "Objects without linear equations, with the reason.",
     "dam reduce/answer": "Outcome in a few words.",
     "dam reduce/complete": "True when the search came to its end.",
     "dam reduce/cost": "Time of a run of the given and of the reduced scene.",

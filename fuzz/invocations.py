@@ -127,7 +127,7 @@ def over(random_, scene):
 def fitting(random_, scene):
     """Commands that have something to say of a scene; now and then all of them."""
     everywhere = ["run", "run", "run", "run", "check", "show", "compare", "map", "free", "law",
-                  "reduce"]
+                  "reduce", "linearise", "response", "orders"]
     others = ["kinematics", "forces", "cam", "steady", "methods", "schema"]
     if random_.random() < 0.05:
         return everywhere + others
@@ -173,6 +173,8 @@ def arguments(random_, scene, path, out, limit):
         extra += random_.choice([[], ["--models"]])
     elif command == "run":
         extra = random_.choice([[], [], [], ["--accuracy", "1 %"]])
+    elif command == "response":
+        extra = random_.choice([[], ["--frequencies", f"1:{random_.choice(FACTORS)} kHz:20"], ["--accuracy", "5 %"]])
     elif command == "reduce":
         extra = random_.choice([[], ["--accuracy", "5 %"]])
     elif command in ("kinematics", "forces"):

@@ -212,6 +212,18 @@ class Scene:
         acceleration: float | None,
     ) -> Answer: ...
     def steady(self, progress: _Progress | None = None) -> Answer: ...
+    def linearise(self, progress: _Progress | None = None) -> Answer: ...
+    def response(
+        self, frequencies: list[float], inputs: list[str], outputs: list[str], accuracy: float
+    ) -> Answer: ...
+    def orders(
+        self,
+        speeds: tuple[float, float] | None,
+        highest: int,
+        accuracy: float | None,
+        points: int,
+        progress: _Progress | None = None,
+    ) -> Answer: ...
     def cam(
         self,
         object: str | None,

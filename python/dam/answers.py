@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Literal, NamedTuple, Union, cast
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Union, cast
 
 from dam import _dam
 
@@ -24,12 +24,15 @@ __all__ = [
     "Figures",
     "Forces",
     "FoundValue",
+    "FrequencyResponse",
     "Json",
     "Kinematics",
     "Law",
     "LawComparison",
+    "Linearisation",
     "Map",
     "Methods",
+    "Orders",
     "Record",
     "Reduction",
     "Requirements",
@@ -571,6 +574,48 @@ class Steady(Answer):
     """How evenly a machine turns: `record` is over a cycle."""
 
     _over_first = True
+
+
+class Linearisation(Answer):
+    """Linear equations: natural modes, and a state space whose states are deviations and speeds."""
+
+    def matrix(self, name: str) -> numpy.typing.NDArray[numpy.float64]:
+        """A matrix by its name: `A`, `B`, `C`, `D`, `mass`, `damping`, `stiffness`."""
+        import numpy
+
+        found: numpy.typing.NDArray[numpy.float64] = numpy.array(self.document[name], dtype=float)
+        return found
+
+    def names(self, of: Literal["states", "inputs", "outputs"]) -> list[str]:
+        """Names of the states, inputs or outputs, in their order."""
+        signals = cast("list[dict[str, str]]", self.document[of])
+        return [signal["name"] for signal in signals]
+
+    def to_control(self) -> Any:
+        """The state space of python-control, `control.ss(A, B, C, D)`.
+
+        Names have underscores in place of dots, which python-control does not take. A law is
+        three inputs: the law, its speed and its acceleration."""
+        import control
+
+        labels = [
+            [name.replace(".", "_") for name in self.names(of)]
+            for of in ("states", "inputs", "outputs")
+        ]
+        return control.ss(
+            *(self.matrix(name) for name in "ABCD"),
+            states=labels[0],
+            inputs=labels[1],
+            outputs=labels[2],
+        )
+
+
+class FrequencyResponse(Answer):
+    """Responses over the frequency: `record` has a row for each pair and frequency."""
+
+
+class Orders(Answer):
+    """Orders of a law and their resonances: `record` has a row for each crossing."""
 
 
 class Cam(Answer):

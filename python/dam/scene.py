@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, Protocol, Union
 
 from dam import _dam, answers
@@ -327,6 +327,47 @@ class Scene:
     def steady(self, *, progress: Progress | None = None) -> answers.Steady:
         """The steady motion that the scene's `steady` block asks for."""
         return answers.Steady(self._core.steady(_told(progress)))
+
+    def linearise(self, *, progress: Progress | None = None) -> answers.Linearisation:
+        """The linear equations of elastic objects behind prescribed drives, or of a machine in the
+        steady turning of its motor: natural modes, and A, B, C, D with names.
+
+        `scene.linearise().to_control()` is a state space of python-control."""
+        return answers.Linearisation(self._core.linearise(_told(progress)))
+
+    def response(
+        self,
+        frequencies: Iterable[float] = (),
+        *,
+        inputs: str | Sequence[str] = (),
+        outputs: str | Sequence[str] = (),
+        accuracy: float = 0.01,
+    ) -> answers.FrequencyResponse:
+        """Gain and phase over the frequency.
+
+        `frequencies`: in Hz, ascending; without them around all natural frequencies. `inputs`:
+        `"rocker.law"` (default: every law), `"rocker.load"`. `outputs`: `"rocker.delta"`, default
+        all. `accuracy`: relative error of the model up to which a response counts as right."""
+        names = [[one] if isinstance(one, str) else list(one) for one in (inputs, outputs)]
+        found = self._core.response([float(one) for one in frequencies], *names, accuracy)
+        return answers.FrequencyResponse(found)
+
+    def orders(
+        self,
+        *,
+        speeds: tuple[float, float] | None = None,
+        highest: int = 20,
+        accuracy: float | None = None,
+        points: int = 60,
+        progress: Progress | None = None,
+    ) -> answers.Orders:
+        """Orders of the law and their resonances over the speed of the drive.
+
+        `speeds`: from and to, in rad/s; default up to twice the speed of the scene. `highest`:
+        the highest order. `accuracy`: amplitude of a deviation (rad or m) from which on a
+        resonance counts. `points`: speeds at which the greatest deviation is found."""
+        found = self._core.orders(speeds, highest, accuracy, points, _told(progress))
+        return answers.Orders(found)
 
     def cam(
         self,

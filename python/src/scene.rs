@@ -3,7 +3,9 @@
 use crate::answer::Answer;
 use crate::fault;
 use crate::prepared::{Prepared, prepare};
-use crate::studies::{cam, compare, find, law, linkages, map, methods, reduce, run, steady};
+use crate::studies::{
+    cam, compare, find, law, linear, linkages, map, methods, reduce, run, steady,
+};
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
 use dam::ask::{CamQuestion, FindQuestion, ModelAssessment, StrokeQuestion};
@@ -17,7 +19,9 @@ use dam::studies::axis::Axis;
 use dam::studies::cam::Reserve;
 use dam::studies::find::Aim;
 use dam::studies::kinematics::{Over, Question};
+use dam::studies::linear::ResponseQuestion;
 use dam::studies::methods::all_methods;
+use dam::studies::orders::OrdersQuestion;
 use dam::units::quantities as q;
 use dam::{Error, Mechanism};
 use pyo3::exceptions::PyValueError;
@@ -413,6 +417,62 @@ impl Scene {
         let scene = self.asked();
         let found = compute(py, progress.as_ref(), move |watch| {
             steady::ask(scene, watch)
+        })?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (progress=None))]
+    fn linearise(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Answer> {
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            linear::linearise(scene, watch)
+        })?;
+        let columns = crate::answer::Columns::default();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    fn response(
+        &self,
+        py: Python<'_>,
+        frequencies: Vec<f64>,
+        inputs: Vec<String>,
+        outputs: Vec<String>,
+        accuracy: f64,
+    ) -> PyResult<Answer> {
+        let question = ResponseQuestion {
+            frequencies,
+            inputs,
+            outputs,
+            accuracy: Some(accuracy),
+        };
+        let scene = self.asked();
+        let found = compute(py, None, move |watch| {
+            linear::response(scene, &question, watch)
+        })?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (speeds, highest, accuracy, points, progress=None))]
+    fn orders(
+        &self,
+        py: Python<'_>,
+        speeds: Option<[f64; 2]>,
+        highest: usize,
+        accuracy: Option<f64>,
+        points: usize,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Answer> {
+        let question = OrdersQuestion {
+            speeds,
+            highest,
+            accuracy,
+            points,
+        };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            linear::orders(scene, &question, watch)
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))

@@ -148,6 +148,38 @@ def test_a_steady_motion_closes(scenarios: Path) -> None:
     assert "fluctuates" in repr(found)
 
 
+def test_linear_equations_answer_as_python_control_does(scenarios: Path) -> None:
+    control = pytest.importorskip("control")
+    scene = dam.load(scenarios / "rocker" / "two_masses.json")
+    found = scene.linearise()
+    system = found.to_control()
+    assert isinstance(system, control.StateSpace)
+    assert (system.A == found.matrix("A")).all() and (system.D == found.matrix("D")).all()
+    frequencies = [10.0, 500.0, 1500.0, 2100.0, 4000.0]
+    response = scene.response(frequencies, inputs=["rocker.law", "rocker.load"])
+    inputs, outputs = found.names("inputs"), found.names("outputs")
+    for pair in response.document["pairs"]:  # type: ignore[union-attr]
+        column, row = inputs.index(pair["input"]["name"]), outputs.index(pair["output"]["name"])
+        for place, frequency in enumerate(frequencies):
+            s = 2j * math.pi * frequency
+            own = system(s)[row]
+            orders = range(3) if pair["input"]["name"].endswith(".law") else range(1)
+            theirs = sum(own[column + order] * s**order for order in orders)
+            ours = complex(pair["re"][place], pair["im"][place])
+            # What cancels between the law and the deviation is of the size of the law.
+            terms = sum(abs(own[column + order] * s**order) for order in orders)
+            assert abs(ours - theirs) <= 1e-12 * terms
+    with pytest.raises(dam.SceneError, match="rocker.delta"):
+        scene.response(outputs="rocker.delt")
+
+
+def test_orders_of_a_sine_are_one(scenarios: Path) -> None:
+    found = dam.load(scenarios / "rocker" / "two_masses.json").orders(points=2, highest=5)
+    (tree,) = found.document["trees"]  # type: ignore[misc]
+    assert [order["present"] for order in tree["orders"]] == [True] + [False] * 4
+    assert tree["orders"][0]["amplitude"] == pytest.approx(math.pi / 2, rel=1e-14)
+
+
 def test_a_cam_has_its_profile(scenarios: Path) -> None:
     scene = dam.load(scenarios / "cams" / "flat_tappet.json")
     found = scene.cam(speed="3000 rpm", reserve="50 N")

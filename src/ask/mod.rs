@@ -18,6 +18,9 @@
 //! | [`cam`](Mechanism::cam) | can its cam be made, and does it keep its follower | [`FoundCam`] |
 //! | [`law_cycle`](Mechanism::law_cycle) | what does an object follow over a cycle | [`FollowedCycle`] |
 //! | [`compare_laws`](Scene::compare_laws) | which law of motion suits it | [`LawComparison`] |
+//! | [`linearise`](Scene::linearise) | what are its linear equations | [`Linearisation`](crate::studies::linear::Linearisation) |
+//! | [`response`](Scene::response) | how does it answer to a frequency | [`FrequencyResponse`](crate::studies::linear::FrequencyResponse) |
+//! | [`orders`](Scene::orders) | which orders of its law shake it at which speed | [`OrdersAnswer`](crate::studies::orders::OrdersAnswer) |
 //! | [`methods`](Mechanism::methods) | which method is soonest accurate | [`Study`](crate::studies::methods::Study) |
 //! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::studies::steady::Answer) |
 //!
@@ -31,6 +34,7 @@ mod ended;
 mod find;
 mod law_comparison;
 mod laws;
+mod linear;
 mod linkages;
 mod map;
 mod mechanism;

@@ -5,6 +5,7 @@ mod course;
 mod find;
 mod forces;
 mod kinematics;
+mod linear;
 mod methods;
 mod reduce;
 pub(crate) mod scene;
@@ -15,6 +16,7 @@ pub(crate) use course::CourseArgs;
 pub(crate) use find::FindArgs;
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
+pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
 pub(crate) use reduce::ReduceArgs;
 pub(crate) use verify::{VerifyArgs, VerifyForm};
@@ -78,6 +80,13 @@ pub(crate) enum Command {
     /// Laws of motion: list, show, synthesize, cycle, compare
     #[command(subcommand)]
     Law(LawCommand),
+    /// Linear equations of elastic objects: matrices, state space A, B, C, D, natural modes, damping
+    Linearise(LineariseArgs),
+    /// Gain and phase over the frequency, with the peaks and the frequency up to which the model is
+    /// right
+    Response(ResponseArgs),
+    /// Orders of the law and resonances over the speed of the drive: a Campbell diagram
+    Orders(OrdersArgs),
     /// Work out the cam of an object: profile, checks, sizes, closing force, files to cut it
     Cam(CamArgs),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point
@@ -113,6 +122,9 @@ impl Command {
             | Self::Compare(CompareArgs { scene, .. })
             | Self::Find(FindArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
+            | Self::Linearise(LineariseArgs { scene, .. })
+            | Self::Response(ResponseArgs { scene, .. })
+            | Self::Orders(OrdersArgs { scene, .. })
             | Self::Cam(CamArgs { scene, .. })
             | Self::Map(MapArgs { scene, .. })
             | Self::Methods(MethodsArgs { scene, .. })

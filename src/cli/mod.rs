@@ -26,16 +26,19 @@ mod interrupt;
 mod journal;
 mod kinematics;
 mod law;
+mod linearise;
 mod manual;
 mod map;
 mod methods;
 mod new;
+mod orders;
 mod output;
 mod progress;
 mod quantity;
 #[cfg(feature = "live")]
 pub(crate) mod questions;
 mod reduce;
+mod response;
 mod run;
 mod show;
 mod shown;
@@ -90,6 +93,9 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Find(args) => find::command(args, &Terminal),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
+        Command::Linearise(args) => linearise::command(args, &Terminal),
+        Command::Response(args) => response::command(args, &Terminal),
+        Command::Orders(args) => orders::command(args, &Terminal),
         Command::Cam(args) => cam::command(args, &Terminal),
         Command::Map(args) => map::command(args),
         Command::Methods(args) => methods::command(args, &Terminal),

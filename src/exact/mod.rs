@@ -123,6 +123,7 @@ mod impacts;
 mod independent_tests;
 mod lanes;
 mod law;
+mod linear;
 mod observe;
 mod panel;
 mod pencil;
@@ -148,6 +149,7 @@ pub use from_model::{KeptLaws, Part, Parts, Rest};
 pub(crate) use from_model::{PrescribedMotion, Rhythm};
 pub(crate) use hermite::{End, Piece};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
+pub use linear::{LinearTree, TreeMode};
 pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
     TreeProblem,

@@ -25,6 +25,7 @@ pub(crate) mod bounded_series;
 pub(crate) mod chebyshev;
 pub(crate) mod contour;
 pub mod expression;
+pub(crate) mod fourier;
 pub(crate) mod fraction;
 pub mod jet;
 pub(crate) mod linear;

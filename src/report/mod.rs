@@ -41,6 +41,7 @@ pub mod forces;
 pub mod html;
 pub mod kinematics;
 pub mod law;
+pub mod linear;
 #[cfg(feature = "live")]
 pub(crate) mod live;
 pub mod machine;
@@ -49,6 +50,7 @@ pub mod math;
 pub mod mechanism;
 pub mod methods;
 mod order;
+pub mod orders;
 pub mod plot;
 pub mod quantity;
 pub mod reduce;

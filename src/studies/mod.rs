@@ -24,6 +24,7 @@ pub mod judgement;
 pub mod kinematics;
 pub mod law;
 pub mod limit;
+pub mod linear;
 pub mod list;
 pub mod lookup;
 pub mod map;
@@ -32,6 +33,7 @@ pub mod methods;
 #[cfg(feature = "live")]
 pub(crate) mod offer;
 pub mod order;
+pub mod orders;
 pub mod plausible;
 pub mod prepared;
 pub mod reduce;

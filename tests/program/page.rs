@@ -102,7 +102,7 @@ const FIVE_BAR: [&str; 6] = [
 ];
 
 /// Commands that write a page: arguments, least number of charts, whether something moves.
-const PAGES: [(&[&str], usize, bool); 13] = [
+const PAGES: [(&[&str], usize, bool); 16] = [
     (&["run", "scenarios/valve_train/lift_off.json"], 6, true),
     (
         &[
@@ -187,6 +187,26 @@ const PAGES: [(&[&str], usize, bool); 13] = [
     (&["steady", "scenarios/steady/engine.json"], 6, false),
     (&["cam", "scenarios/cams/indexing_dwells.json"], 5, true),
     (&["law", "show", "modified_sine"], 5, false),
+    (
+        &["linearise", "scenarios/rocker/ten_masses_closed.json"],
+        1,
+        false,
+    ),
+    (
+        &["response", "scenarios/rocker/ten_masses_closed.json"],
+        8,
+        false,
+    ),
+    (
+        &[
+            "orders",
+            "scenarios/valve_train/in_working_order.json",
+            "--points",
+            "20",
+        ],
+        2,
+        false,
+    ),
 ];
 
 #[test]

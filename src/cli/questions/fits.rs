@@ -7,8 +7,9 @@ use crate::frontend::scene::{BuiltIn, Document, LayeredCatalogue, Number, Overri
 use crate::kinematics::motion::LawName;
 use crate::studies::cam::objects_with_cam;
 use crate::studies::kinematics::{Subject, linkage_of, several_of};
+use crate::studies::linear::LinearModel;
 use crate::studies::methods::all_methods;
-use crate::studies::steady;
+use crate::studies::{orders, steady};
 use crate::studio::commands::CommandScene;
 use serde::Serialize;
 use serde_json::Value;
@@ -110,6 +111,14 @@ fn choices_for_scene(command: &str, ready: &Mechanism, tree: &Value) -> (Choices
                 Vec::new(),
                 first.map(|fault| format!("{}: {}", fault.path, fault.message)),
             )
+        }
+        "orders" => {
+            let wrong = orders::suits(&ready.system).err().unwrap_or_default();
+            (None, wrong.into_iter().next().map(|fault| fault.message))
+        }
+        "linearise" | "response" => {
+            let wrong = LinearModel::of(&ready.system).err().unwrap_or_default();
+            (None, wrong.into_iter().next().map(|fault| fault.message))
         }
         "cam" => {
             let names = objects_with_cam(ready.scene())

@@ -13,7 +13,9 @@ use super::asker::Asker;
 use super::failure::Failure;
 use super::input::Input;
 use super::output::OutputFolder;
-use super::{cam, find, forces, kinematics, law, methods, reduce, run, steady};
+use super::{
+    cam, find, forces, kinematics, law, linearise, methods, orders, reduce, response, run, steady,
+};
 use crate::budget::Budget;
 use crate::frontend::diagnostics::Diagnostic;
 use crate::frontend::scene::{Catalogue, NamedBytes};
@@ -40,7 +42,7 @@ const fn tab(command: &'static str, name: &'static str) -> Tab {
 }
 
 /// The questions in their order; those of one first word stand in one tab.
-pub(super) const TABS: [Tab; 11] = [
+pub(super) const TABS: [Tab; 14] = [
     tab("find", "Find"),
     tab("kinematics", "Kinematics"),
     tab("forces", "Forces"),
@@ -52,6 +54,9 @@ pub(super) const TABS: [Tab; 11] = [
     tab("law synthesize", "Laws"),
     tab("methods", "Methods"),
     tab("reduce", "Reduction"),
+    tab("linearise", "Vibration"),
+    tab("response", "Vibration"),
+    tab("orders", "Vibration"),
 ];
 
 /// The run has no tab of its own here, but files.
@@ -126,6 +131,9 @@ impl<'a> Window<'a> {
             Command::Forces(args) => forces::command(args, self),
             Command::Reduce(args) => reduce::command(args, self),
             Command::Find(args) => find::command(args, self),
+            Command::Linearise(args) => linearise::command(args, self),
+            Command::Response(args) => response::command(args, self),
+            Command::Orders(args) => orders::command(args, self),
             _ => return Err("this is no question".to_owned()),
         };
         // Whether the answer is to be trusted stands in it.

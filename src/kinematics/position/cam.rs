@@ -4,6 +4,7 @@ use super::spec::CamSpec;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::{Law, LawSpec};
+use crate::math::fourier::{Terms, TermsOnInterval};
 use crate::math::jet::Jet;
 use crate::units::shown;
 use std::f64::consts::TAU;
@@ -143,6 +144,34 @@ impl Cam {
     fn add(&mut self, begins: f64, piece: Piece) {
         self.breaks.points.push(begins);
         self.pieces.push(piece);
+    }
+
+    /// U over one turn in closed form, piece by piece.
+    pub(crate) fn closed_form(&self) -> Vec<TermsOnInterval> {
+        let piece = |(index, own): (usize, &Piece)| {
+            let (from, to) = self.breaks.edges(index as i64);
+            let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+            let terms = match own {
+                Piece::Dwell(value) => Terms::constant(*value),
+                Piece::Motion {
+                    law,
+                    part,
+                    origin,
+                    span,
+                } => {
+                    let place = [(middle - origin) / span, half / span];
+                    self.laws[*law]
+                        .terms(*part, place)
+                        .scaled(0.0, self.spec.lift)
+                }
+            };
+            TermsOnInterval {
+                middle,
+                half,
+                terms,
+            }
+        };
+        self.pieces.iter().enumerate().map(piece).collect()
     }
 
     /// U and its derivatives at `phi` by the formula of `segment`.

@@ -42,6 +42,7 @@ pub use table::Table;
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
+use crate::math::fourier::{Terms, TermsOnInterval};
 use crate::math::jet::Jet;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -231,6 +232,38 @@ impl Position {
                 table.is_periodic().then_some((last - first, 0.0))
             }
             Self::Ratio { .. } | Self::Polynomial(_) | Self::Custom(_) => None,
+        }
+    }
+
+    /// U over one period of its argument in closed form, piece by piece; `None`: it repeats
+    /// nowhere, or it has no closed form.
+    pub(crate) fn closed_form(&self) -> Option<Vec<TermsOnInterval>> {
+        match self {
+            Self::Sine {
+                amplitude,
+                harmonic,
+                phase,
+                offset,
+            } => {
+                let half = 0.5 * self.period()?.0;
+                let place = [0.0, half];
+                let terms = Terms::constant(*offset);
+                Some(vec![TermsOnInterval {
+                    middle: 0.0,
+                    half,
+                    terms: terms.plus_sine([*amplitude, *harmonic, *phase], place),
+                }])
+            }
+            Self::Cam(cam) => Some(cam.closed_form()),
+            Self::Plan(plan) => plan.closed_form(),
+            Self::Table(table) => table.closed_form(),
+            Self::Ratio { .. }
+            | Self::Polynomial(_)
+            | Self::SliderCrank(_)
+            | Self::FourBar(_)
+            | Self::SlottedLink(_)
+            | Self::Linkage(_)
+            | Self::Custom(_) => None,
         }
     }
 

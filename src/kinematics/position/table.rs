@@ -3,6 +3,7 @@
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::Spline;
+use crate::math::fourier::{Terms, TermsOnInterval};
 use crate::math::jet::Jet;
 
 /// A smooth curve through points (φ, U): a cubic spline whose U, U′ and U″ are
@@ -79,6 +80,29 @@ impl Table {
             }
             Some(_) => straight(self.spline.jet(last), phi - last),
         }
+    }
+
+    /// U over one period in closed form, a cubic between every two points; `None`: it does not
+    /// repeat.
+    pub(crate) fn closed_form(&self) -> Option<Vec<TermsOnInterval>> {
+        self.breaks.period?;
+        let piece = |index: usize| {
+            let (from, to) = self.breaks.edges(index as i64);
+            let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+            let jet = self.spline.jet_of(index, middle);
+            let cubic = vec![
+                jet.value,
+                half * jet.first,
+                half * half * jet.second / 2.0,
+                half * half * half * jet.third / 6.0,
+            ];
+            TermsOnInterval {
+                middle,
+                half,
+                terms: Terms::of_polynomial(cubic),
+            }
+        };
+        Some((0..self.breaks.points.len()).map(piece).collect())
     }
 
     /// The points.

@@ -185,6 +185,22 @@ proptest! {
     }
 
     #[test]
+    fn closed_forms_are_the_functions_over_one_period(spec in specs(), y in -1.0f64..1.0) {
+        let Ok(position) = Position::new(&spec) else { return Ok(()) };
+        let Some(pieces) = position.closed_form() else { return Ok(()) };
+        let period = position.period().map_or(f64::NAN, |period| period.0);
+        let whole: f64 = pieces.iter().map(|piece| 2.0 * piece.half).sum();
+        prop_assert!((whole - period).abs() < 1e-12 * period, "{whole} {period}");
+        for piece in &pieces {
+            let phi = piece.middle + piece.half * y;
+            let segment = position.breaks().segment_at(phi, 1.0);
+            let expected = position.jet(segment, phi).value;
+            let own = piece.terms.at(y);
+            prop_assert!((own - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{own} {expected}");
+        }
+    }
+
+    #[test]
     fn any_numbers_are_refused_or_evaluated_without_panic(
         numbers in prop::array::uniform6(prop::num::f64::ANY),
         phi in prop::num::f64::ANY,

@@ -19,6 +19,7 @@ pub use spec::{CycleSpec, Motion, Station, USUAL_ORDER};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::law::{EndPolynomial, Jump, Law};
+use crate::math::fourier::{Terms, TermsOnInterval};
 use crate::math::jet::Jet;
 
 /// A plan of motion, ready to be evaluated.
@@ -81,6 +82,18 @@ impl Segment {
             first: height * rate * unit.first,
             second: height * rate * rate * unit.second,
             third: height * rate * rate * rate * unit.third,
+        }
+    }
+
+    /// The displacement in closed form on the interval about `middle` of half the length `half`.
+    fn terms(&self, part: usize, [middle, half]: [f64; 2]) -> Terms {
+        let [start, end] = self.ends;
+        let place = [(middle - self.from) / self.span, half / self.span];
+        match &self.shape {
+            Shape::Dwell => Terms::constant(start),
+            Shape::Uniform => Terms::of_powers(&[start, end - start], place),
+            Shape::Law(law) => law.terms(part, place).scaled(start, end - start),
+            Shape::Smooth(polynomial) => polynomial.terms(place),
         }
     }
 
@@ -168,6 +181,22 @@ impl Cycle {
             }
             None => self.piece_jet(piece - 1, phi),
         }
+    }
+
+    /// The displacement over one period in closed form, piece by piece; `None`: it does not
+    /// repeat.
+    pub(crate) fn closed_form(&self) -> Option<Vec<TermsOnInterval>> {
+        self.spec.period?;
+        let piece = |(index, own): (usize, &Piece)| {
+            let (from, to) = self.breaks.edges(index as i64);
+            let place = [0.5 * (from + to), 0.5 * (to - from)];
+            TermsOnInterval {
+                middle: place[0],
+                half: place[1],
+                terms: self.segments[own.segment].terms(own.part, place),
+            }
+        };
+        Some(self.pieces.iter().enumerate().map(piece).collect())
     }
 
     /// Size of a derivative over the cycle, from five samples of each piece.

@@ -2,6 +2,7 @@
 
 use super::polynomial::EndPolynomial;
 use super::trapezoid::{Trapezoid, TrapezoidPart};
+use crate::math::fourier::Terms;
 use crate::math::jet::Jet;
 use std::f64::consts::PI;
 
@@ -47,6 +48,26 @@ impl Form {
                 third: 6.0 * d,
             },
             Self::Polynomial(polynomial) => polynomial.jet(x),
+        }
+    }
+}
+
+impl Form {
+    /// The same in closed form on the interval about `place[0]` of half the length `place[1]`.
+    pub(super) fn terms(&self, place: [f64; 2]) -> Terms {
+        let powers = |powers: &[f64]| Terms::of_powers(powers, place);
+        match self {
+            Self::Harmonic => powers(&[0.5]).plus_sine([-0.5, PI, 0.5 * PI], place),
+            Self::Cycloidal => {
+                let turn = 2.0 * PI;
+                powers(&[0.0, 1.0]).plus_sine([-1.0 / turn, turn, 0.0], place)
+            }
+            Self::Polynomial345 => powers(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]),
+            Self::Polynomial4567 => powers(&[0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]),
+            Self::Trapezoid(law, part) => law.terms(*part, place),
+            Self::Uniform => powers(&[0.0, 1.0]),
+            Self::Cubic(own) => powers(own),
+            Self::Polynomial(own) => own.terms(place),
         }
     }
 }

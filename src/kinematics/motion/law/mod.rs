@@ -25,6 +25,7 @@ pub(crate) use spec::TABLE_POINTS;
 pub use spec::{LawSpec, RunLawSpec, SectionsSpec};
 pub use trapezoid::{Trapezoid, TrapezoidPart};
 
+use crate::math::fourier::Terms;
 use crate::math::jet::Jet;
 use form::Form;
 
@@ -95,6 +96,14 @@ impl Law {
     pub fn at(&self, tau: f64) -> Jet {
         let piece = self.joints.partition_point(|&joint| joint <= tau);
         self.jet(piece, tau)
+    }
+
+    /// θ by the formula of `piece` in closed form, on the interval about `middle` of half the
+    /// length `half`.
+    pub(crate) fn terms(&self, piece: usize, [middle, half]: [f64; 2]) -> Terms {
+        let own = &self.pieces[piece];
+        let place = [(middle - own.origin) / own.span, half / own.span];
+        own.form.terms(place).scaled(own.base, own.height)
     }
 
     /// Pieces with their ends, in order.

@@ -1,5 +1,6 @@
 //! Polynomials from conditions at the ends of the unit interval and points between.
 
+use crate::math::fourier::Terms;
 use crate::math::jet::Jet;
 
 /// Conditions that a polynomial law fulfils: its degree is one less than their number.
@@ -70,6 +71,17 @@ impl EndPolynomial {
             &self.from_end
         };
         form.derivatives(x, count)
+    }
+
+    /// The same in powers of y on the interval about `middle` of half the length `half`.
+    pub(crate) fn terms(&self, [middle, half]: [f64; 2]) -> Terms {
+        let count = self.from_start.nodes.len();
+        let (mut scale, mut taylor) = (1.0, self.derivatives(middle, count));
+        for (power, own) in taylor.iter_mut().enumerate() {
+            *own *= scale;
+            scale *= half / (power + 1) as f64;
+        }
+        Terms::of_polynomial(taylor)
     }
 
     /// True when no coefficient has overflowed.

@@ -55,6 +55,28 @@ fn strokes() -> Vec<(String, Law)> {
         .collect()
 }
 
+#[test]
+fn closed_forms_are_the_laws_themselves() {
+    for (words, law) in strokes() {
+        for (piece, from, to) in law.pieces() {
+            // Also on a part of the piece, and backwards.
+            for (a, b) in [
+                (from, to),
+                (0.7 * from + 0.3 * to, 0.2 * from + 0.8 * to),
+                (to, from),
+            ] {
+                let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+                let terms = law.terms(piece, [middle, half]);
+                for y in [-1.0, -0.4, 0.1, 1.0] {
+                    let expected = law.jet(piece, middle + half * y).value;
+                    approx::assert_abs_diff_eq!(terms.at(y), expected, epsilon = 1e-13);
+                }
+            }
+        }
+        assert!(!words.is_empty());
+    }
+}
+
 /// ∫ f dτ over the law, piece by piece (Simpson with 2000 intervals each).
 fn quadrature(law: &Law, f: impl Fn(f64, &Jet) -> f64, to: f64) -> f64 {
     let mut sum = 0.0;

@@ -1,5 +1,6 @@
 //! The modified trapezoid of general form: run-up from rest to uniform motion.
 
+use crate::math::fourier::Terms;
 use crate::math::jet::Jet;
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -148,6 +149,31 @@ impl Trapezoid {
             }
         };
         shape.scaled(self.peak)
+    }
+
+    /// θ in closed form by the formula of `part`, on the interval about `place[0]` of half the
+    /// length `place[1]`.
+    pub(super) fn terms(&self, part: TrapezoidPart, place: [f64; 2]) -> Terms {
+        let (s1, s2, p, q) = (self.s1, self.s2, self.p, self.q);
+        // a + b·(τ − from) in powers of τ.
+        let line = |from: f64, a: f64, b: f64| [a - b * from, b];
+        let shape = match part {
+            TrapezoidPart::Rise => {
+                Terms::of_powers(&[0.0, p], place).plus_sine([-p * p, 1.0 / p, 0.0], place)
+            }
+            TrapezoidPart::Flat => {
+                let [a, b] = line(s1, p * (s1 - p), p);
+                Terms::of_powers(&[a + 0.5 * s1 * s1, b - s1, 0.5], place)
+            }
+            TrapezoidPart::Fall => {
+                let (from, before) = (1.0 - s2, self.flat(1.0 - s2 - s1));
+                let powers = line(from, before.value + q * q, before.first);
+                // 1 − cos x, and cos x = sin(x + π/2).
+                let cosine = [-q * q, 1.0 / q, 0.5 * PI - from / q];
+                Terms::of_powers(&powers, place).plus_sine(cosine, place)
+            }
+        };
+        shape.scaled(0.0, self.peak)
     }
 
     /// The shape on its flat part, `x` counted from its start.
