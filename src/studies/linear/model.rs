@@ -91,7 +91,8 @@ impl LinearModel {
         }
         let fault = |one: LeftOut| {
             let message = format!("`{}` has no linear equations: {}", one.object, one.reason);
-            let hint = "elastic objects with `masses` behind a prescribed drive have them";
+            let hint = "elastic objects with `masses` behind a prescribed drive have them; `dam steady` \
+                        finds the multipliers of other periodic motions";
             Fault::new(one.object, message, hint)
         };
         self.left_out.into_iter().map(fault).collect()

@@ -166,6 +166,7 @@ pub fn response(
         model: &model,
         finer: finer
             .as_ref()
+            .ok()
             .map(|finer| (&finer.model, finer.model.inputs(), finer.model.outputs())),
         frequencies: &frequencies,
         accuracy,
