@@ -1,0 +1,96 @@
+//! Derivatives against closed forms and references computed elsewhere.
+
+use super::*;
+use crate::exact::{ExactTree, Law, Request, Sine, TimeLoad, TreeMass, TreeObject, TreePair};
+use crate::math::number::Number;
+use serde_json::Value;
+
+const REFERENCE: &str = include_str!(concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/tests/reference/design-gradients.json"
+));
+
+fn one_mass(mass: TreeMass, law: Law, displacement: f64, speed: f64) -> TreeProblem {
+    TreeProblem {
+        masses: vec![mass],
+        law,
+        displacement: vec![displacement],
+        speed: vec![speed],
+        objects: vec![TreeObject {
+            first: 0,
+            output: vec![(0, 1.0)],
+            driver: None,
+        }],
+    }
+}
+
+/// A ball that falls from rest at a height h on a table A·sin(w·t).
+fn ball([e, amplitude, frequency, g, h]: [f64; 5]) -> TreeProblem {
+    let mut mass = TreeMass::new(1.0, None, 0.0, 0.0);
+    mass.pair = TreePair::Force { opens: 1.0 };
+    mass.restitution = Some(e);
+    mass.loads = vec![TimeLoad::Constant(-g)];
+    let law = Law::Harmonic {
+        mean: 0.0,
+        slope: 0.0,
+        sines: vec![Sine {
+            amplitude,
+            frequency,
+            phase: 0.0,
+        }],
+    };
+    one_mass(mass, law, h, -amplitude * frequency)
+}
+
+#[test]
+fn five_derivatives_of_a_ball_with_impacts_agree_with_the_reference() {
+    let all: Value = serde_json::from_str(REFERENCE).expect("JSON");
+    let case = &all["ball_with_restitution"];
+    let number = |value: &Value| -> f64 {
+        let text = value.as_str().map(str::to_owned);
+        let text = text.unwrap_or_else(|| value.to_string());
+        text.parse().expect("number")
+    };
+    let names = ["e", "A", "w", "g", "h"];
+    let inputs = names.map(|name| number(&case["inputs"][name]));
+    let end = number(&case["time"]);
+    let problem = ball(inputs);
+    let run = ExactTree::new(problem.clone()).run(&Request::new(end, 0)).expect("run");
+    assert_eq!(run.switches.len(), 4);
+    // The numbers are linear in every parameter: differences of any length are exact.
+    let place = flat_numbers(&problem, None).expect("numbers");
+    let mut derivatives = vec![[0.0; 5]; place.len()];
+    for k in 0..5 {
+        let moved = |by: f64| {
+            let mut own = inputs;
+            own[k] += by;
+            flat_numbers(&ball(own), None).expect("numbers")
+        };
+        let (low, high) = (moved(-0.125), moved(0.125));
+        for (row, (low, high)) in derivatives.iter_mut().zip(low.iter().zip(&high)) {
+            row[k] = (high - low) / 0.25;
+        }
+    }
+    let question = Question {
+        problem: &problem,
+        table: None,
+        run: &run,
+        derivatives: &derivatives,
+        end: end.into(),
+        events: EventTimes::Moving,
+        touches: &[],
+    };
+    let found = results(&question, &|| true).expect("derivatives");
+    let own = &found.objects[0];
+    for (figure, found) in [("height", own.displacement), ("speed", own.speed)] {
+        approx::assert_relative_eq!(
+            found.value(),
+            number(&case[figure]),
+            max_relative = 1e-11
+        );
+        for (k, name) in names.iter().enumerate() {
+            let expected = number(&case["d"][name][figure]);
+            approx::assert_relative_eq!(found.derivatives[k], expected, max_relative = 1e-9);
+        }
+    }
+}
