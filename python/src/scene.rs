@@ -2,7 +2,9 @@
 
 use crate::answer::Answer;
 use crate::fault;
-use crate::studies::{cam, compare, find, gradient, law, linkages, map, methods, reduce, run, steady};
+use crate::studies::{
+    cam, compare, find, gradient, law, linkages, map, methods, reduce, run, steady,
+};
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
 use dam::ask::{CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, StrokeQuestion};

@@ -50,8 +50,15 @@ pub(crate) fn gradient(
     }
     for path in &question.by {
         match parameter(path, &base, prepare, numbers) {
-            Ok(found) if parameters.iter().any(|one: &Parameter| one.path == found.path) => {
-                wrong.push(Diagnostic::error("question", format!("--by names `{path}` twice")));
+            Ok(found)
+                if parameters
+                    .iter()
+                    .any(|one: &Parameter| one.path == found.path) =>
+            {
+                wrong.push(Diagnostic::error(
+                    "question",
+                    format!("--by names `{path}` twice"),
+                ));
             }
             Ok(found) => parameters.push(found),
             Err(mut faults) => wrong.append(&mut faults),
@@ -70,7 +77,9 @@ pub(crate) fn gradient(
     let at = |values: &[f64]| {
         let settings = axes.iter().zip(values).zip(&parameters);
         let changed = settings.filter(|((_, value), one)| **value != one.value);
-        let settings: Vec<String> = changed.map(|((axis, value), _)| axis.setting(*value)).collect();
+        let settings: Vec<String> = changed
+            .map(|((axis, value), _)| axis.setting(*value))
+            .collect();
         prepare(&settings).ok().map(place)
     };
     let diagnose = base.reading.places.clone();
@@ -117,7 +126,7 @@ fn parameter(
     let Some(value) = value.filter(|value| value.is_finite()) else {
         // What is wrong with the address is said by a setting of it.
         return Err(match prepare(&[format!("{path}=1")]) {
-            Err(error) => error.into_diagnostics().items,
+            Err(error) => at_address(error, path),
             Ok(_) => fault(
                 format!("`{path}` has no value in this scene"),
                 format!("write one into the scene, or give it: --set {path}=…"),
@@ -142,6 +151,17 @@ fn parameter(
     })
 }
 
+/// Faults of a setting as those of its address.
+fn at_address(error: Error, path: &str) -> Vec<Diagnostic> {
+    let items = error.into_diagnostics().items.into_iter();
+    let told = |fault: Diagnostic| {
+        let own = Diagnostic::error(fault.code, fault.message).path(path);
+        let hints = fault.hints.into_iter();
+        hints.fold(own, |own, hint| own.hint(hint))
+    };
+    items.map(told).collect()
+}
+
 /// What stands at an address of the canonical scene.
 fn value_at<'v>(canonical: &'v Value, path: &str) -> Option<&'v Value> {
     let first = path.split(['.', '[']).next().unwrap_or(path);
@@ -149,7 +169,9 @@ fn value_at<'v>(canonical: &'v Value, path: &str) -> Option<&'v Value> {
         Some(_) => &canonical["objects"],
         None => canonical,
     };
-    let parts = path.split(['.', '[']).map(|part| part.trim_end_matches(']'));
+    let parts = path
+        .split(['.', '['])
+        .map(|part| part.trim_end_matches(']'));
     parts.into_iter().try_fold(start, |here, part| match here {
         Value::Array(items) => items.get(part.parse::<usize>().ok()?),
         other => other.get(part),
@@ -190,7 +212,11 @@ fn named_figures(
 fn figure_unit(figure: &str, model: &Model) -> Result<String, Diagnostic> {
     let elastic = model.objects.iter().filter(|part| !part.links.is_empty());
     let ids: Vec<&str> = elastic.map(|part| part.id.as_str()).collect();
-    let own = ids.iter().find(|id| figure.strip_prefix(**id).is_some_and(|rest| rest.starts_with('.')));
+    let own = ids.iter().find(|id| {
+        figure
+            .strip_prefix(**id)
+            .is_some_and(|rest| rest.starts_with('.'))
+    });
     // The least contact force is a result of every pair here, elastic objects included.
     if let Some(id) = own
         && figure == format!("{id}.pair.margin")
@@ -202,10 +228,14 @@ fn figure_unit(figure: &str, model: &Model) -> Result<String, Diagnostic> {
     }
     let error = |message: String| Diagnostic::error("question", message).path(figure);
     let unit = Condition::unit_of(figure, model).map_err(|what| {
-        let all = ids.iter().flat_map(|id| names().iter().map(move |name| format!("{id}.{name}")));
+        let all = ids
+            .iter()
+            .flat_map(|id| names().iter().map(move |name| format!("{id}.{name}")));
         let all: Vec<String> = all.collect();
-        let fault = error(what);
-        fault.maybe_hint(did_you_mean(figure, all.iter().map(String::as_str)))
+        match what.contains("did you mean") {
+            true => error(what),
+            false => error(what).maybe_hint(did_you_mean(figure, all.iter().map(String::as_str))),
+        }
     })?;
     match own {
         Some(_) => Ok(unit),

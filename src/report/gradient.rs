@@ -5,7 +5,9 @@ use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table};
 use crate::report::quantity::{counted, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
-use crate::studies::gradient::{Derivative, FigureGradient, Gradient, Parameter, Verdict, sides, unit_of};
+use crate::studies::gradient::{
+    Derivative, FigureGradient, Gradient, Parameter, Verdict, sides, unit_of,
+};
 
 /// Digits of derivatives.
 const DIGITS: usize = 7;
@@ -22,10 +24,16 @@ pub fn findings<'a>(scene: &str, found: &Gradient, source: Source<'a>) -> Findin
         sections.push(Section::new("").item(Item::Notes(notes)));
     }
     let (sort, headline, text) = verdict(found);
-    let parameters = found.parameters.iter().map(|one| parameter_words(&one.path));
+    let parameters = found
+        .parameters
+        .iter()
+        .map(|one| parameter_words(&one.path));
     Findings {
         title: scene.to_owned(),
-        subtitle: format!("derivatives by {}", parameters.collect::<Vec<_>>().join(", ")),
+        subtitle: format!(
+            "derivatives by {}",
+            parameters.collect::<Vec<_>>().join(", ")
+        ),
         answer: Some(Answer::answer(sort, headline, text)),
         warnings: Vec::new(),
         sections,
@@ -45,7 +53,9 @@ fn verdict(found: &Gradient) -> (Sort, String, String) {
     let undetermined = pairs(found)
         .filter(|one| matches!(one.2.verdict, Verdict::NotDetermined { .. }))
         .count();
-    let known = pairs(found).filter(|one| one.2.derivative.is_some()).count();
+    let known = pairs(found)
+        .filter(|one| one.2.derivative.is_some())
+        .count();
     let strongest = pairs(found)
         .filter_map(|one| Some((one, one.2.elasticity?)))
         .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
@@ -64,8 +74,8 @@ fn verdict(found: &Gradient) -> (Sort, String, String) {
     }
     let text = match &found.check {
         Some(check) if check.compared > 0 => format!(
-            "{} agree with differences of runs to {}.",
-            capitalised(&counted(check.compared, "derivative")),
+            "Differences of runs confirm {} to {}.",
+            counted(check.compared, "derivative"),
             significant(check.worst, 2)
         ),
         _ => "Not compared with differences of runs.".to_owned(),
@@ -108,7 +118,11 @@ fn derivatives_table(found: &Gradient) -> Table {
 
 /// A derivative with its unit; of one that differs on the two sides both.
 fn in_unit(own: &Derivative, unit: &str) -> String {
-    let number = |value: f64| format!("{} {unit}", significant(value, DIGITS)).trim_end().to_owned();
+    let number = |value: f64| {
+        format!("{} {unit}", significant(value, DIGITS))
+            .trim_end()
+            .to_owned()
+    };
     let side = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
     match &own.verdict {
         Verdict::OneSided { below, above } => {
@@ -152,8 +166,8 @@ fn notes(found: &Gradient) -> Vec<String> {
     if let Some(check) = &found.check {
         notes.push(match check.why_not.as_str() {
             "" => format!(
-                "{} by differences of {}.",
-                capitalised(&format!("{} checked", counted(check.compared, "derivative"))),
+                "The check compared {} with differences of {}.",
+                counted(check.compared, "derivative"),
                 counted(check.runs, "run")
             ),
             why => format!("Nothing was compared with differences of runs: {why}."),

@@ -14,7 +14,12 @@ pub(crate) struct GradientArgs {
     pub(crate) by: Vec<String>,
     /// Results of elastic objects [default: those asked for most]:
     /// rocker.delta_max,rocker.pair.margin
-    #[arg(long, value_name = "FIGURES", value_delimiter = ',', visible_alias = "figure")]
+    #[arg(
+        long,
+        value_name = "FIGURES",
+        value_delimiter = ',',
+        visible_alias = "figure"
+    )]
     pub(crate) figures: Vec<String>,
     /// Compare the derivatives with differences of runs, also of many parameters or events [default:
     /// up to 5 parameters and 1000 events]

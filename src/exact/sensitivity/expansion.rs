@@ -110,7 +110,9 @@ impl<N: Number> Expansion<N> {
         for (load, mass) in self.loads.iter_mut().zip(&numbers.masses) {
             *load = [mass.load, N::from(0.0)];
             for points in &mass.tables {
-                let next = points.iter().position(|point| point[0].value() > time.value());
+                let next = points
+                    .iter()
+                    .position(|point| point[0].value() > time.value());
                 match next {
                     Some(0) => load[0] += points[0][1],
                     Some(k) => {
@@ -190,7 +192,12 @@ impl<N: Number> Expansion<N> {
     }
 
     /// The clearance from a flank: X = sign·x + offset.
-    pub(super) fn clearance(&self, numbers: &TreeNumbers<N>, mass: usize, flank: usize) -> Signal<N> {
+    pub(super) fn clearance(
+        &self,
+        numbers: &TreeNumbers<N>,
+        mass: usize,
+        flank: usize,
+    ) -> Signal<N> {
         let (sign, _) = numbers.masses[mass].flanks[flank];
         let mut signal = [N::from(0.0); TERMS];
         for (order, term) in signal.iter_mut().enumerate() {

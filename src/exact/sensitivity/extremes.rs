@@ -56,7 +56,10 @@ impl<N: Number> Greatest<N> {
             // The one that is farthest below the greatest.
             let values = self.places.iter().map(|place| place.1.value());
             let least = values.fold(f64::INFINITY, f64::min);
-            let at = self.places.iter().position(|place| place.1.value() == least);
+            let at = self
+                .places
+                .iter()
+                .position(|place| place.1.value() == least);
             self.places.remove(at.unwrap_or(0));
         }
     }

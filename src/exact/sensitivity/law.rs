@@ -139,7 +139,9 @@ fn part(at: &dyn Fn(f64) -> [f64; 3], start: f64, length: f64) -> (LawPart, [f64
     let series = TABLES.nodes.polynomial_through(&values);
     let rest = series[LAW_DEGREE + 1..].iter();
     let rest = rest.fold(0.0, |most: f64, c| most.max(c.abs()));
-    let size = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let size = values
+        .iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
     let powers = combined(&series[..=LAW_DEGREE], &TABLES.powers);
     let [value, speed, _] = at(start);
     let part = LawPart {

@@ -108,7 +108,10 @@ impl<N: Number> TreeNumbers<N> {
         make: &mut dyn FnMut(f64) -> N,
     ) -> Result<Self, Refusal> {
         let law = LawNumbers::read(&problem.law, table, make)?;
-        let masses = problem.masses.iter().map(|mass| MassNumbers::read(mass, make));
+        let masses = problem
+            .masses
+            .iter()
+            .map(|mass| MassNumbers::read(mass, make));
         let masses = masses.collect::<Result<_, _>>()?;
         let displacement = problem.displacement.iter().map(|&q| make(q)).collect();
         let speed = problem.speed.iter().map(|&v| make(v)).collect();

@@ -293,7 +293,9 @@ impl<'w, N: Number> Walk<'w, N> {
         self.approach(switch.time)?;
         let guard = self.guard(switch);
         let expected = switch.time - self.state.time.value();
-        let place = self.root(&guard, expected).ok_or_else(|| missed(switch.time))?;
+        let place = self
+            .root(&guard, expected)
+            .ok_or_else(|| missed(switch.time))?;
         let moves = match events {
             EventTimes::Moving => true,
             #[cfg(test)]

@@ -53,10 +53,7 @@ fn add_sign_changes(
     match variations(own) {
         0 => {}
         1 => {
-            let rising = own
-                .iter()
-                .find(|&&c| c != 0.0)
-                .is_some_and(|&c| c < 0.0);
+            let rising = own.iter().find(|&&c| c != 0.0).is_some_and(|&c| c < 0.0);
             found.push(from + only_root(own, rising) * (to - from));
         }
         _ if halvings == 0 => {}
@@ -275,8 +272,17 @@ mod tests {
             sign_changes(&from_roots(roots, -2.0), &mut found);
             found
         };
-        for roots in [&[0.2, 0.25, 0.9][..], &[0.25, 0.5, 0.75], &[0.5], &[-1.0, 2.0]] {
-            let inside: Vec<f64> = roots.iter().copied().filter(|r| *r > 0.0 && *r < 1.0).collect();
+        for roots in [
+            &[0.2, 0.25, 0.9][..],
+            &[0.25, 0.5, 0.75],
+            &[0.5],
+            &[-1.0, 2.0],
+        ] {
+            let inside: Vec<f64> = roots
+                .iter()
+                .copied()
+                .filter(|r| *r > 0.0 && *r < 1.0)
+                .collect();
             let places = found(roots);
             assert_eq!(places.len(), inside.len(), "{roots:?} {places:?}");
             for (place, root) in places.iter().zip(&inside) {

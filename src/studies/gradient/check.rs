@@ -78,16 +78,24 @@ pub(super) fn check(
         why_not: String::new(),
     };
     for index in 0..found.figures.len() {
-        let slopes: Vec<Option<f64>> = found.figures[index].by.iter().map(|one| one.derivative).collect();
+        let slopes: Vec<Option<f64>> = found.figures[index]
+            .by
+            .iter()
+            .map(|one| one.derivative)
+            .collect();
         if slopes.iter().all(Option::is_none) {
             continue;
         }
-        let outcome = along.as_ref().and_then(|along| along.compare(index, &slopes));
+        let outcome = along
+            .as_ref()
+            .and_then(|along| along.compare(index, &slopes));
         for k in 0..count {
             let Some(slope) = slopes[k] else { continue };
             let shares = |along: &Differences| {
                 let terms = slopes.iter().zip(&along.direction);
-                let sum: f64 = terms.map(|(slope, d)| slope.map_or(0.0, |s| (s * d).abs())).sum();
+                let sum: f64 = terms
+                    .map(|(slope, d)| slope.map_or(0.0, |s| (s * d).abs()))
+                    .sum();
                 (slope * along.direction[k]).abs() >= SHARE * sum
             };
             let counts = along.as_ref().is_some_and(shares) && outcome.is_some();
@@ -103,10 +111,14 @@ pub(super) fn check(
                     let only: Vec<Option<f64>> = (0..count)
                         .map(|other| if other == k { Some(slope) } else { Some(0.0) })
                         .collect();
-                    differences.as_ref().and_then(|one| one.compare(index, &only))
+                    differences
+                        .as_ref()
+                        .and_then(|one| one.compare(index, &only))
                 }
             };
-            let Some((difference, allowed)) = own else { continue };
+            let Some((difference, allowed)) = own else {
+                continue;
+            };
             let place = &mut found.figures[index].by[k];
             summary.compared += 1;
             summary.worst = summary.worst.max(difference);
@@ -184,7 +196,9 @@ impl Checker<'_> {
         }
         let slope = |index: usize| {
             let values: Vec<f64> = all.iter().map(|one| one.0[index]).collect::<Option<_>>()?;
-            let [a, b, c, d, e] = values[..] else { return None };
+            let [a, b, c, d, e] = values[..] else {
+                return None;
+            };
             let (fine, coarse) = match side {
                 Side::Both => ((8.0 * (d - b) - (e - a)) / 12.0, (d - b) / 2.0),
                 Side::Above | Side::Below => {
@@ -196,7 +210,9 @@ impl Checker<'_> {
                     }
                 }
             };
-            let size = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let size = values
+                .iter()
+                .fold(0.0, |most: f64, value| most.max(value.abs()));
             let (fine, apart) = (fine / step, (fine - coarse).abs() / step);
             let higher = apart * (10.0 * apart / fine.abs().max(apart)).min(1.0);
             Some((fine, higher + ROUNDING * size / step))

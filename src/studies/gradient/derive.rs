@@ -25,6 +25,12 @@ const AGREEMENT: f64 = 1e-8;
 /// Relative change of a parameter within which another place that takes over counts.
 const TAKEOVER: f64 = 1e-9;
 
+/// Rounding of a value, relative.
+const ROUNDING: f64 = 1e-12;
+
+/// Part of an elasticity that no value in double precision shows.
+const NEGLIGIBLE: f64 = 1e-12;
+
 /// Parameters by which a motion is differentiated at once.
 const TOGETHER: usize = 6;
 
@@ -102,7 +108,9 @@ pub(super) fn gradient_with(
             near: &motion.near,
             parameters: &subject.parameters,
         };
-        found.figures.push(judge.figure(address, unit, &base.figures));
+        found
+            .figures
+            .push(judge.figure(address, unit, &base.figures));
     }
     if subject.check.unwrap_or(check::is_cheap(&found)) {
         check::check(subject, &mut found, &rows, &motion.near);
@@ -350,16 +358,21 @@ impl RawFigure {
         if self.sign == 0.0 {
             return [self.places[0].2[number]; 2];
         }
-        let better = |a: &&Reached, b: &&Reached| a.1.total_cmp(&b.1);
-        let Some((_, best, slopes)) = self.places.iter().max_by(better) else {
+        let best = self.places.iter().map(|place| place.1);
+        let best = best.fold(f64::NEG_INFINITY, f64::max);
+        let rounding = ROUNDING * best.abs();
+        // Of what rounding cannot tell apart the last one, whose transients have decayed most.
+        let mut last_first = self.places.iter().rev();
+        let Some((_, _, slopes)) = last_first.find(|place| best - place.1 <= rounding) else {
             return [f64::NAN; 2];
         };
         let own = slopes[number];
         let (mut least, mut greatest) = (own, own);
+        let size = if p == 0.0 { 1.0 } else { p.abs() };
         for (_, value, slopes) in &self.places {
-            // Another place takes over within a hair of the parameter.
-            let apart = (slopes[number] - own).abs();
-            if best - value <= TAKEOVER * p.abs() * apart + f64::EPSILON * best.abs() {
+            // Another place takes over within a hair of the parameter, and that matters.
+            let change = (slopes[number] - own).abs() * size;
+            if change > NEGLIGIBLE * best.abs() && best - value <= TAKEOVER * change + rounding {
                 least = least.min(slopes[number]);
                 greatest = greatest.max(slopes[number]);
             }
@@ -469,7 +482,12 @@ impl Judge<'_> {
             let time = shown(time, 7);
             return Some(format!("two events coincide at t = {time} s"));
         }
-        if let Some(touch) = self.raw.touch.as_ref().filter(|touch| touch.dipped.is_none()) {
+        if let Some(touch) = self
+            .raw
+            .touch
+            .as_ref()
+            .filter(|touch| touch.dipped.is_none())
+        {
             let time = shown(touch.time, 7);
             return Some(format!("a contact is just touched at t = {time} s"));
         }
@@ -518,7 +536,9 @@ fn plain_value(subject: &Subject<'_>, place: &Place, address: &str) -> Option<f6
     let mut holder = lowered.trees.iter().filter_map(|tree: &Tree| {
         let (id, name) = owner_of(address, |id| tree.objects.iter().any(|one| one == id));
         let object = tree.objects.iter().position(|one| one == id)?;
-        let run = tree.run(lowered.end, &place.settings, subject.control).ok()?;
+        let run = tree
+            .run(lowered.end, &place.settings, subject.control)
+            .ok()?;
         let question = Question::<1> {
             problem: &tree.problem,
             table: tree.table.as_ref(),
@@ -530,7 +550,10 @@ fn plain_value(subject: &Subject<'_>, place: &Place, address: &str) -> Option<f6
         };
         let found = results(&question, &|| !subject.control.is_spent()).ok()?;
         let mut raw = RawFigure::default();
-        raw.add(figures::figure(name, &found.objects[object], question.end), 0);
+        raw.add(
+            figures::figure(name, &found.objects[object], question.end),
+            0,
+        );
         raw.value()
     });
     holder.next()

@@ -7,7 +7,12 @@ impl Gradient {
     /// The JSON document. `scene`: its name.
     pub fn document(&self, scene: &str) -> Value {
         let parameters: Map<String, Value> = (self.parameters.iter())
-            .map(|one| (one.path.clone(), json!({ "value": one.value, "unit": one.unit })))
+            .map(|one| {
+                (
+                    one.path.clone(),
+                    json!({ "value": one.value, "unit": one.unit }),
+                )
+            })
             .collect();
         let gradients: Map<String, Value> = (self.figures.iter())
             .map(|figure| (figure.figure.clone(), self.of_figure(figure)))

@@ -42,8 +42,14 @@ pub fn names() -> &'static [&'static str] {
 const COUNTS: [(&str, &str); 4] = [
     ("pair.separations", "it counts: it changes by whole numbers"),
     ("pair.closures", "it counts: it changes by whole numbers"),
-    ("pair.impacts.count", "it counts: it changes by whole numbers"),
-    ("pair.in_working_order", "it answers yes or no: see `pair.margin`"),
+    (
+        "pair.impacts.count",
+        "it counts: it changes by whole numbers",
+    ),
+    (
+        "pair.in_working_order",
+        "it answers yes or no: see `pair.margin`",
+    ),
 ];
 
 /// A result with its derivatives.

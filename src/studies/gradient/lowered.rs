@@ -71,7 +71,10 @@ impl Lowered {
         let (mut trees, mut first): (Vec<Tree>, usize) = (Vec::new(), 0);
         for part in &parts.trees {
             let problem = part.tree(&initial.y).problem().clone();
-            let ids = part.objects.iter().map(|&object| model.objects[object].id.clone());
+            let ids = part
+                .objects
+                .iter()
+                .map(|&object| model.objects[object].id.clone());
             let objects: Vec<String> = ids.collect();
             let law = &part.problem().law;
             let known = like.map(|like| like.trees.get(trees.len()));

@@ -68,7 +68,8 @@ pub(super) fn derivatives(
             break;
         }
     }
-    best.filter(|(error, _)| *error <= BEARABLE).map(|best| best.1)
+    best.filter(|(error, _)| *error <= BEARABLE)
+        .map(|best| best.1)
 }
 
 /// With one step, and the error relative to the derivatives.
@@ -122,8 +123,14 @@ fn central(length: usize, step: f64, above: &[Vec<f64>], below: &[Vec<f64>]) -> 
     let m = above.len();
     let weight = |k: usize| {
         // (−1)^{k+1}·(m!)²/(k·(m−k)!·(m+k)!)
-        let share: f64 = (1..=k).map(|i| (m - k + i) as f64 / (m + i) as f64).product();
-        if k % 2 == 1 { share / k as f64 } else { -share / k as f64 }
+        let share: f64 = (1..=k)
+            .map(|i| (m - k + i) as f64 / (m + i) as f64)
+            .product();
+        if k % 2 == 1 {
+            share / k as f64
+        } else {
+            -share / k as f64
+        }
     };
     let weights: Vec<f64> = (1..=m).map(weight).collect();
     let one = |index: usize| {
@@ -142,12 +149,18 @@ fn one_sided(centre: &[f64], step: f64, rows: &[Vec<f64>]) -> Vec<f64> {
     let weight = |k: usize| {
         // (−1)^{k+1}·(n over k)/k
         let binomial: f64 = (1..=k).map(|i| (n - k + i) as f64 / i as f64).product();
-        if k % 2 == 1 { binomial / k as f64 } else { -binomial / k as f64 }
+        if k % 2 == 1 {
+            binomial / k as f64
+        } else {
+            -binomial / k as f64
+        }
     };
     let weights: Vec<f64> = (1..=n).map(weight).collect();
     let one = |index: usize| {
         let rows = rows.iter().zip(&weights);
-        let sum: f64 = rows.map(|(row, weight)| weight * (row[index] - centre[index])).sum();
+        let sum: f64 = rows
+            .map(|(row, weight)| weight * (row[index] - centre[index]))
+            .sum();
         sum / step
     };
     (0..centre.len()).map(one).collect()

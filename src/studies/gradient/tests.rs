@@ -21,7 +21,11 @@ fn place(settings: &[String]) -> Option<Place> {
 fn ask(by: &[(&str, f64)], figures: &[&str], events: EventTimes) -> Gradient {
     let at = |values: &[f64]| {
         let settings = by.iter().zip(values);
-        place(&settings.map(|((path, _), value)| format!("{path}={value:?}")).collect::<Vec<_>>())
+        place(
+            &settings
+                .map(|((path, _), value)| format!("{path}={value:?}"))
+                .collect::<Vec<_>>(),
+        )
     };
     let parameter = |&(path, value): &(&str, f64)| Parameter {
         path: path.to_owned(),
@@ -30,7 +34,10 @@ fn ask(by: &[(&str, f64)], figures: &[&str], events: EventTimes) -> Gradient {
     };
     let subject = Subject {
         parameters: by.iter().map(parameter).collect(),
-        figures: figures.iter().map(|name| ((*name).to_owned(), String::new())).collect(),
+        figures: figures
+            .iter()
+            .map(|name| ((*name).to_owned(), String::new()))
+            .collect(),
         base: place(&[]).expect("scene"),
         at: &at,
         control: &Control::default(),
@@ -72,7 +79,10 @@ fn an_edge_of_a_domain_has_one_side() {
     let by = [("rocker.damping_capacity", 0.0)];
     let at = |values: &[f64]| {
         let path = "rocker.damping_capacity";
-        place(&[format!("{path}={:?}", values[0]), "run.duration=0.02".to_owned()])
+        place(&[
+            format!("{path}={:?}", values[0]),
+            "run.duration=0.02".to_owned(),
+        ])
     };
     let subject = Subject {
         parameters: vec![Parameter {
@@ -89,7 +99,13 @@ fn an_edge_of_a_domain_has_one_side() {
     let found = gradient_with(&subject, EventTimes::Moving).expect("derivatives");
     let own = &found.figures[0].by[0];
     assert!(
-        matches!(own.verdict, Verdict::OneSided { below: None, above: Some(_) }),
+        matches!(
+            own.verdict,
+            Verdict::OneSided {
+                below: None,
+                above: Some(_)
+            }
+        ),
         "{own:?}"
     );
     assert!(own.agrees_to.is_some_and(|one| one < 1e-4), "{found:?}");
