@@ -4,7 +4,7 @@ use super::Mechanism;
 use crate::Error;
 use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
-use crate::frontend::read::did_you_mean;
+use crate::frontend::read::{did_you_mean, synonyms};
 use crate::frontend::scene::Number;
 use crate::studies::Control;
 use crate::studies::axis::Axis;
@@ -174,7 +174,9 @@ fn value_at<'v>(canonical: &'v Value, path: &str) -> Option<&'v Value> {
         .map(|part| part.trim_end_matches(']'));
     parts.into_iter().try_fold(start, |here, part| match here {
         Value::Array(items) => items.get(part.parse::<usize>().ok()?),
-        other => other.get(part),
+        other => other
+            .get(part)
+            .or_else(|| synonyms(part).find_map(|name| other.get(name))),
     })
 }
 

@@ -23,8 +23,8 @@ const MOST: usize = 20_000;
 /// Most parts of a piece.
 const MOST_PARTS: usize = 512;
 
-/// Coefficients beyond those kept, as a share of all.
-const TAIL: f64 = 2e-15;
+/// Coefficients beyond those kept, in units of the rounding of the parts of L̈.
+const TAIL: f64 = 32.0 * f64::EPSILON;
 
 /// A law in pieces.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,6 +50,8 @@ pub(crate) struct LawPart {
     pub(crate) speed: f64,
     /// L̈ in powers of σ.
     pub(crate) acceleration: [f64; LAW_DEGREE + 1],
+    /// Size of the numbers whose rounding is in L̈.
+    pub(crate) size: f64,
 }
 
 struct Tables {
@@ -90,7 +92,7 @@ impl LawTable {
             let depth = motion.stages.len();
             let at = |time: f64| {
                 let now = motion.at(&formulas, depth, time.min(formulas.until));
-                [now.value, now.speed, now.acceleration]
+                [now.value, now.speed, now.acceleration, now.size]
             };
             let count = match like {
                 None => parts_needed(&at, start, length)
@@ -113,14 +115,14 @@ impl LawTable {
 }
 
 /// The number of equal parts in which a piece is a polynomial each, to rounding.
-fn parts_needed(at: &dyn Fn(f64) -> [f64; 3], start: f64, length: f64) -> Option<usize> {
+fn parts_needed(at: &dyn Fn(f64) -> [f64; 4], start: f64, length: f64) -> Option<usize> {
     let mut count = 1;
     while count <= MOST_PARTS {
         let share = length / count as f64;
         let all = (0..count).map(|index| part(at, start + index as f64 * share, share));
         let (mut rest, mut size) = (0.0f64, 0.0f64);
-        for (_, [own_rest, own_size]) in all {
-            (rest, size) = (rest.max(own_rest), size.max(own_size));
+        for (own, own_rest) in all {
+            (rest, size) = (rest.max(own_rest), size.max(own.size));
         }
         if rest <= TAIL * size {
             return Some(count);
@@ -130,26 +132,24 @@ fn parts_needed(at: &dyn Fn(f64) -> [f64; 3], start: f64, length: f64) -> Option
     None
 }
 
-/// A part of a law; what is left out of L̈, and the size of L̈.
-fn part(at: &dyn Fn(f64) -> [f64; 3], start: f64, length: f64) -> (LawPart, [f64; 2]) {
-    let values = TABLES
-        .nodes
-        .places
-        .map(|place| at(start + 0.5 * (1.0 + place) * length)[2]);
-    let series = TABLES.nodes.polynomial_through(&values);
+/// A part of a law, and what is left out of L̈. `at`: L, L̇, L̈ and the size by which that is
+/// rounded.
+fn part(at: &dyn Fn(f64) -> [f64; 4], start: f64, length: f64) -> (LawPart, f64) {
+    let places = TABLES.nodes.places;
+    let seen = places.map(|place| at(start + 0.5 * (1.0 + place) * length));
+    let size = seen.iter().fold(0.0, |most: f64, now| most.max(now[3]));
+    let series = TABLES.nodes.polynomial_through(&seen.map(|now| now[2]));
     let rest = series[LAW_DEGREE + 1..].iter();
     let rest = rest.fold(0.0, |most: f64, c| most.max(c.abs()));
-    let size = values
-        .iter()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
     let powers = combined(&series[..=LAW_DEGREE], &TABLES.powers);
-    let [value, speed, _] = at(start);
+    let [value, speed, ..] = at(start);
     let part = LawPart {
         start,
         length,
         value,
         speed,
         acceleration: std::array::from_fn(|power| powers[power]),
+        size,
     };
-    (part, [rest, size])
+    (part, rest)
 }

@@ -81,7 +81,7 @@ pub(crate) fn results<const K: usize>(
     goes_on: &dyn Fn() -> bool,
 ) -> Result<TreeResults<Duals<K>>, Unfollowed> {
     let mut all = question.derivatives.iter();
-    let numbers = TreeNumbers::read((question.problem, question.table), &mut |value| Duals {
+    let numbers = TreeNumbers::read((question.problem, question.table), &mut |value, _| Duals {
         value,
         derivatives: all.next().copied().unwrap_or([0.0; K]),
     })

@@ -1,8 +1,11 @@
 //! The numbers of a tree as variables: any kind of number in place of those of a problem.
 
-use super::law::LawTable;
+use super::law::{LawPart, LawTable};
 use crate::exact::{LAW_DEGREE, Law, Refusal, TimeLoad, TreeMass, TreeProblem};
 use crate::math::number::Number;
+
+/// How much more than other numbers those of a law in pieces are rounded.
+const LAW_ROUNDING: f64 = 64.0;
 
 /// The numbers of a problem.
 #[derive(Clone, Debug)]
@@ -44,23 +47,32 @@ impl<N: Number> LawNumbers<N> {
     fn read(
         law: &Law,
         table: Option<&LawTable>,
-        make: &mut dyn FnMut(f64) -> N,
+        make: &mut dyn FnMut(f64, f64) -> N,
     ) -> Result<Self, Refusal> {
         match (law, table) {
             (Law::Harmonic { mean, slope, sines }, _) => Ok(Self::Harmonic {
-                mean: make(*mean),
-                slope: make(*slope),
+                mean: make(*mean, mean.abs()),
+                slope: make(*slope, slope.abs()),
                 sines: (sines.iter())
-                    .map(|sine| [sine.amplitude, sine.frequency, sine.phase].map(&mut *make))
+                    .map(|sine| {
+                        [sine.amplitude, sine.frequency, sine.phase].map(|own| make(own, own.abs()))
+                    })
                     .collect(),
             }),
             (Law::Spans(_), Some(table)) => {
+                let greatest = |of: &dyn Fn(&LawPart) -> f64| {
+                    let sizes = table.parts.iter().map(|part| of(part).abs());
+                    LAW_ROUNDING * sizes.fold(0.0, f64::max)
+                };
+                let value = greatest(&|part| part.value);
+                let speed = greatest(&|part| part.speed);
+                let bend = greatest(&|part| part.size);
                 let parts = table.parts.iter().map(|part| PartNumbers {
-                    start: make(part.start),
-                    length: make(part.length),
-                    value: make(part.value),
-                    speed: make(part.speed),
-                    acceleration: part.acceleration.map(&mut *make),
+                    start: make(part.start, part.start),
+                    length: make(part.length, part.start + part.length),
+                    value: make(part.value, value),
+                    speed: make(part.speed, speed),
+                    acceleration: part.acceleration.map(|own| make(own, bend)),
                 });
                 Ok(Self::Parts(parts.collect()))
             }
@@ -105,7 +117,7 @@ impl<N: Number> TreeNumbers<N> {
     /// The law is known in fitted pieces alone, and no table of it is given; a load is.
     pub(super) fn read(
         (problem, table): (&TreeProblem, Option<&LawTable>),
-        make: &mut dyn FnMut(f64) -> N,
+        make: &mut dyn FnMut(f64, f64) -> N,
     ) -> Result<Self, Refusal> {
         let law = LawNumbers::read(&problem.law, table, make)?;
         let masses = problem
@@ -113,14 +125,20 @@ impl<N: Number> TreeNumbers<N> {
             .iter()
             .map(|mass| MassNumbers::read(mass, make));
         let masses = masses.collect::<Result<_, _>>()?;
-        let displacement = problem.displacement.iter().map(|&q| make(q)).collect();
-        let speed = problem.speed.iter().map(|&v| make(v)).collect();
+        // (The state at the start follows from balances, in which all its numbers are rounded.)
+        let size = |all: &[f64]| all.iter().fold(0.0, |most: f64, one| most.max(one.abs()));
+        let (place, rate) = (size(&problem.displacement), size(&problem.speed));
+        let displacement = problem.displacement.iter().map(|&q| make(q, place));
+        let displacement = displacement.collect();
+        let speed = problem.speed.iter().map(|&v| make(v, rate)).collect();
         let objects = problem.objects.iter().map(|object| ObjectNumbers {
             first: object.first,
             output: (object.output.iter())
-                .map(|&(mass, share)| (mass, make(share)))
+                .map(|&(mass, share)| (mass, make(share, 1.0)))
                 .collect(),
-            driver: object.driver.map(|(mass, ratio)| (mass, make(ratio))),
+            driver: object
+                .driver
+                .map(|(mass, ratio)| (mass, make(ratio, ratio.abs()))),
         });
         Ok(Self {
             objects: objects.collect(),
@@ -133,7 +151,7 @@ impl<N: Number> TreeNumbers<N> {
 }
 
 impl<N: Number> MassNumbers<N> {
-    fn read(mass: &TreeMass, make: &mut dyn FnMut(f64) -> N) -> Result<Self, Refusal> {
+    fn read(mass: &TreeMass, make: &mut dyn FnMut(f64, f64) -> N) -> Result<Self, Refusal> {
         let (flanks, count) = mass.pair.flanks();
         let (mut load, mut tables) = (0.0, Vec::new());
         for own in &mass.loads {
@@ -148,39 +166,40 @@ impl<N: Number> MassNumbers<N> {
                 }
             }
         }
+        let mut own = |value: f64| make(value, value.abs());
         Ok(Self {
             parent: mass.parent,
-            inertia: make(mass.inertia),
-            ratio: make(mass.ratio),
-            offset: make(mass.offset),
-            lever: make(mass.lever),
-            stiffness: make(mass.stiffness),
-            damping: make(mass.damping),
-            ground_stiffness: make(mass.ground_stiffness),
-            ground_damping: make(mass.ground_damping),
-            restitution: mass.restitution.map(&mut *make),
+            inertia: own(mass.inertia),
+            ratio: own(mass.ratio),
+            offset: own(mass.offset),
+            lever: own(mass.lever),
+            stiffness: own(mass.stiffness),
+            damping: own(mass.damping),
+            ground_stiffness: own(mass.ground_stiffness),
+            ground_damping: own(mass.ground_damping),
+            restitution: mass.restitution.map(&mut own),
             flanks: (flanks[..count].iter())
-                .map(|flank| (flank.sign, make(flank.offset)))
+                .map(|flank| (flank.sign, own(flank.offset)))
                 .collect(),
-            load: make(load),
+            load: own(load),
             tables: (tables.into_iter())
-                .map(|points| points.iter().map(|&(t, w)| [make(t), make(w)]).collect())
+                .map(|points| points.iter().map(|&(t, w)| [own(t), own(w)]).collect())
                 .collect(),
         })
     }
 }
 
-/// The numbers of a problem, one after the other.
+/// The numbers of a problem, one after the other, each with the size by which it is rounded.
 ///
 /// # Errors
 /// As of [`TreeNumbers::read`].
 pub(crate) fn flat_numbers(
     problem: &TreeProblem,
     table: Option<&LawTable>,
-) -> Result<Vec<f64>, Refusal> {
+) -> Result<Vec<[f64; 2]>, Refusal> {
     let mut all = Vec::new();
-    TreeNumbers::<f64>::read((problem, table), &mut |value| {
-        all.push(value);
+    TreeNumbers::<f64>::read((problem, table), &mut |value, size| {
+        all.push([value, size]);
         value
     })?;
     Ok(all)

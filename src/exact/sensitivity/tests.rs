@@ -69,7 +69,7 @@ fn five_derivatives_of_a_ball_with_impacts_agree_with_the_reference() {
             flat_numbers(&ball(own), None).expect("numbers")
         };
         let (low, high) = (moved(-0.125), moved(0.125));
-        for (row, (low, high)) in derivatives.iter_mut().zip(low.iter().zip(&high)) {
+        for (row, ([low, _], [high, _])) in derivatives.iter_mut().zip(low.iter().zip(&high)) {
             row[k] = (high - low) / 0.25;
         }
     }
@@ -111,7 +111,7 @@ fn a_damped_flank_that_is_just_touched_has_two_derivatives() {
     assert!(run.switches.is_empty(), "{:?}", run.switches);
     let place = flat_numbers(&problem, None).expect("numbers");
     let derivatives: Vec<[f64; 1]> = (place.iter())
-        .map(|number| [f64::from(u8::from(*number == 0.5))])
+        .map(|number| [f64::from(u8::from(number[0] == 0.5))])
         .collect();
     let mut question = Question {
         problem: &problem,

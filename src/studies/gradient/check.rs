@@ -32,8 +32,17 @@ const WAY: f64 = 0.1;
 /// Rounding of a result of a run, relative.
 const ROUNDING: f64 = 4e-13;
 
-/// How often a step is shortened by which the sequence of events changes.
-const SHORTENED: u32 = 6;
+/// Steps of different lengths of which each result takes the one that resolves it best.
+const LEVELS: u32 = 3;
+
+/// Ratio of one step to the one before.
+const SHORTER: f64 = 0.15;
+
+/// Most steps that are tried, those by which the sequence of events changes included.
+const SHORTENED: u32 = 7;
+
+/// A difference with a greater error confirms nothing.
+const USELESS: f64 = 1e-3;
 
 /// Whether runs are repeated unasked.
 pub(super) fn is_cheap(found: &Gradient) -> bool {
@@ -43,7 +52,7 @@ pub(super) fn is_cheap(found: &Gradient) -> bool {
 /// A direction of the parameters with the differences of all results along it.
 struct Differences {
     direction: Vec<f64>,
-    /// Derivative and its error, per result.
+    /// Derivative and its error, per result, where they are resolved best.
     slopes: Vec<Option<(f64, f64)>>,
 }
 
@@ -116,7 +125,8 @@ pub(super) fn check(
                         .and_then(|one| one.compare(index, &only))
                 }
             };
-            let Some((difference, allowed)) = own else {
+            let useful = own.filter(|(_, allowed)| *allowed <= USELESS);
+            let Some((difference, allowed)) = useful else {
                 continue;
             };
             let place = &mut found.figures[index].by[k];
@@ -164,13 +174,22 @@ impl Checker<'_> {
         let slope = |slopes: &[f64]| slopes.iter().zip(&direction).map(|(s, d)| s * d).sum();
         let free = nearest(self.near, slope).map_or(f64::INFINITY, f64::abs);
         let mut step = most.min(WAY * free);
+        let mut best: Option<Vec<Option<(f64, f64)>>> = None;
+        let mut levels = 0;
         for _ in 0..SHORTENED {
             if let Some(slopes) = self.with_step(&direction, step, side) {
-                return Some(Differences { direction, slopes });
+                levels += 1;
+                best = Some(match best {
+                    None => slopes,
+                    Some(best) => best.into_iter().zip(slopes).map(better).collect(),
+                });
             }
-            step *= 0.25;
+            if levels == LEVELS {
+                break;
+            }
+            step *= SHORTER;
         }
-        None
+        best.map(|slopes| Differences { direction, slopes })
     }
 
     fn with_step(
@@ -214,10 +233,19 @@ impl Checker<'_> {
                 .iter()
                 .fold(0.0, |most: f64, value| most.max(value.abs()));
             let (fine, apart) = (fine / step, (fine - coarse).abs() / step);
-            let higher = apart * (10.0 * apart / fine.abs().max(apart)).min(1.0);
+            let higher = apart * (30.0 * apart / fine.abs().max(apart)).min(1.0);
             Some((fine, higher + ROUNDING * size / step))
         };
         Some((0..self.subject.figures.len()).map(slope).collect())
+    }
+}
+
+/// Of two differences the one that is known better.
+fn better((one, other): (Option<(f64, f64)>, Option<(f64, f64)>)) -> Option<(f64, f64)> {
+    match (one, other) {
+        (Some(a), Some(b)) if a.1 <= b.1 => Some(a),
+        (_, Some(b)) => Some(b),
+        (one, None) => one,
     }
 }
 

@@ -147,7 +147,14 @@ fn row_derivatives(
         let mut moved = values.clone();
         moved[number] = value;
         let other = Lowered::of(&(subject.at)(&moved)?, Some(lowered)).ok()?;
-        lowered.is_like(&other).then(|| other.numbers())
+        let values = || {
+            other
+                .numbers()
+                .into_iter()
+                .map(|number| number[0])
+                .collect()
+        };
+        lowered.is_like(&other).then(values)
     };
     stencil::derivatives((values[number], &lowered.numbers()), &at)
 }

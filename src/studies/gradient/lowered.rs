@@ -32,8 +32,8 @@ pub(super) struct Tree {
     pub(super) table: Option<LawTable>,
     /// Ids of its objects.
     pub(super) objects: Vec<String>,
-    /// Its numbers, and where they begin among those of all trees.
-    pub(super) numbers: Vec<f64>,
+    /// Its numbers with their sizes, and where they begin among those of all trees.
+    pub(super) numbers: Vec<[f64; 2]>,
     pub(super) first: usize,
 }
 
@@ -108,10 +108,10 @@ impl Lowered {
         })
     }
 
-    /// All numbers, the end of the run last.
-    pub(super) fn numbers(&self) -> Vec<f64> {
+    /// All numbers with the sizes by which they are rounded, the end of the run last.
+    pub(super) fn numbers(&self) -> Vec<[f64; 2]> {
         let trees = self.trees.iter().flat_map(|tree| &tree.numbers);
-        trees.copied().chain([self.end]).collect()
+        trees.copied().chain([[self.end; 2]]).collect()
     }
 
     /// True when another differs in numbers alone.

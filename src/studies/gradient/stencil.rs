@@ -46,10 +46,11 @@ const BEARABLE: f64 = 1e-7;
 /// What rounding may move a number by.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Derivatives of `centre`, which `at` gives for the value `at` of the parameter. `at`: the row
-/// at a value, `None` where there is none of the same form.
+/// Derivatives of a row of numbers. `centre`: the numbers at the value of the parameter, each with
+/// the size by which it is rounded. `at`: those at another value, `None` where there are none of
+/// the same form.
 pub(super) fn derivatives(
-    (value, centre): (f64, &[f64]),
+    (value, centre): (f64, &[[f64; 2]]),
     at: &dyn Fn(f64) -> Option<Vec<f64>>,
 ) -> Option<RowDerivatives> {
     let steps: Vec<f64> = match value == 0.0 {
@@ -74,7 +75,7 @@ pub(super) fn derivatives(
 
 /// With one step, and the error relative to the derivatives.
 fn with_step(
-    (value, centre): (f64, &[f64]),
+    (value, centre): (f64, &[[f64; 2]]),
     step: f64,
     at: &dyn Fn(f64) -> Option<Vec<f64>>,
 ) -> Option<(f64, RowDerivatives)> {
@@ -85,11 +86,10 @@ fn with_step(
         (1..=count).map(|number| row(sign, number)).collect()
     };
     let made = |side, finer: Vec<f64>, coarser: Vec<f64>| {
-        let size = |values: &[f64], k: usize| values[k].abs();
-        let error = (0..centre.len()).map(|k| {
-            let noise = ROUNDING * size(centre, k) / step;
-            let apart = (finer[k] - coarser[k]).abs() - noise;
-            apart.max(0.0) / (size(&finer, k) + size(centre, k) / value.abs().max(step))
+        let error = centre.iter().enumerate().map(|(k, [_, size])| {
+            let apart = (finer[k] - coarser[k]).abs() - ROUNDING * size / step;
+            let scale = finer[k].abs() + size / value.abs().max(step);
+            if apart > 0.0 { apart / scale } else { 0.0 }
         });
         let error = error.fold(0.0, f64::max);
         let made = RowDerivatives {
@@ -144,7 +144,7 @@ fn central(length: usize, step: f64, above: &[Vec<f64>], below: &[Vec<f64>]) -> 
 }
 
 /// Differences of order n from n places on one side.
-fn one_sided(centre: &[f64], step: f64, rows: &[Vec<f64>]) -> Vec<f64> {
+fn one_sided(centre: &[[f64; 2]], step: f64, rows: &[Vec<f64>]) -> Vec<f64> {
     let n = rows.len();
     let weight = |k: usize| {
         // (−1)^{k+1}·(n over k)/k
@@ -159,7 +159,7 @@ fn one_sided(centre: &[f64], step: f64, rows: &[Vec<f64>]) -> Vec<f64> {
     let one = |index: usize| {
         let rows = rows.iter().zip(&weights);
         let sum: f64 = rows
-            .map(|(row, weight)| weight * (row[index] - centre[index]))
+            .map(|(row, weight)| weight * (row[index] - centre[index][0]))
             .sum();
         sum / step
     };
@@ -188,27 +188,29 @@ mod tests {
     #[test]
     fn derivatives_on_both_sides_and_on_one_agree_with_closed_forms() {
         let (p, all) = (0.7, |p: f64| Some(row(p)));
-        let found = derivatives((p, &row(p)), &all).unwrap();
+        let sized: Vec<[f64; 2]> = row(p).into_iter().map(|one| [one, one.abs()]).collect();
+        let found = derivatives((p, &sized), &all).unwrap();
         assert_eq!(found.side, Side::Both);
         agree(&found.values, &slopes(p), 1e-11);
         let above = |at: f64| (at >= p).then(|| row(at));
-        let found = derivatives((p, &row(p)), &above).unwrap();
+        let found = derivatives((p, &sized), &above).unwrap();
         assert_eq!(found.side, Side::Above);
         agree(&found.values, &slopes(p), 1e-8);
         let below = |at: f64| (at <= p).then(|| row(at));
-        let found = derivatives((p, &row(p)), &below).unwrap();
+        let found = derivatives((p, &sized), &below).unwrap();
         assert_eq!(found.side, Side::Below);
         agree(&found.values, &slopes(p), 1e-8);
     }
 
     #[test]
     fn a_kink_and_a_place_alone_have_no_derivative() {
-        let kink = |p: f64| Some(vec![(p - 0.7).abs()]);
-        // (A kink in the middle of central differences looks like a slope of zero: what lies
-        // on one side of it alone does not.)
-        let beside = |p: f64| Some(vec![(p - 0.7 - 1e-9).abs()]);
-        assert!(derivatives((0.7, &[0.0]), &|_| None).is_none());
-        assert!(kink(0.8).is_some());
-        assert!(derivatives((0.7, &[1e-9]), &beside).is_none_or(|row| row.values[0] != 0.0));
+        assert!(derivatives((0.7, &[[0.0; 2]]), &|_| None).is_none());
+        let kink = |p: f64| Some(vec![(p - 0.701).abs()]);
+        let found = derivatives((0.7, &[[0.001; 2]]), &kink).unwrap();
+        // The first step reaches over the kink, a later one does not.
+        assert!(found.step < 1e-3);
+        approx::assert_relative_eq!(found.values[0], -1.0, max_relative = 1e-9);
+        let root = |p: f64| Some(vec![(p - 0.7).abs().sqrt()]);
+        assert!(derivatives((0.7 + 1e-7, &[[1e-7f64.sqrt(); 2]]), &root).is_none());
     }
 }
