@@ -51,6 +51,7 @@ MORE = [
     ["find", *ROCKER, "--vary", "rocker.stiffness=1e6:3e6:5", "--subject", "frequency.1 <= 700 Hz", "--maximize", "rocker.stiffness"],
     ["find", *ROCKER, "--vary", "rocker.stiffness=1e6:3e6:5", "--minimize", "rocker.delta_abs"],
     ["find", *ROCKER, "--vary", "rocker.stiffness=1e6:3e6:5", "--subject", "frequency.1 <= 1 Hz"],
+    ["gradient", *ROCKER, "--by", "rocker.inertia,rocker.stiffness", "--figures", "rocker.delta_max,rocker.pair.separations"],
     ["cam", TAPPET, "--lift-off"],
     ["cam", "scenarios/cams/yarn_traverse.json", "--cutter", "10 mm"],
     ["forces", CRANK, "--compare-massless", "1,10"],
@@ -137,7 +138,7 @@ def gathered(program: str, jobs: int) -> dict[str, list[Any]]:
 MAPS = re.compile(
     r"dam (run|compare/runs\[\]/figures)/(units|objects|studies)|.*/run/(first_times|undetermined_times)"
     r"|dam (run|reduce)/accuracy|.*/models\[\]/(errors|values)|.*/(changes|losses|levels|extremes|columns)"
-    r"|dam reduce/objects|.*/periodic/drive/start|.*/summary/verdicts|.*/given/levels"
+    r"|dam gradient/(parameters|gradients(/\*/by)?)|dam reduce/objects|.*/periodic/drive/start|.*/summary/verdicts|.*/given/levels"
 )
 # Members of a form of their own.
 SCENE = "dam reduce/reduced"
@@ -365,6 +366,10 @@ MEANINGS: dict[str, str] = {
     "dam find/subject": "Conditions.",
     "dam find/unit": "SI unit of the parameter.",
     "dam find/vary": "Parameter and its range.",
+    "dam gradient/check": "Agreement of the derivatives with differences of runs; null if not checked.",
+    "dam gradient/events": "Number of events of the motion.",
+    "dam gradient/gradients": "Results with their derivatives by every parameter, what each is worth, and where it holds.",
+    "dam gradient/parameters": "Numbers of the scene, in SI units.",
     "dam verify/holds": "True when every requirement holds.",
     "dam verify/scenes": "Each scene with its requirements and their judgement.",
     "dam linearise/A": "Matrix A of ẋ = A·x + B·u, a list of its rows.",

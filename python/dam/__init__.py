@@ -8,9 +8,9 @@ it and answers.
     print(run.figures["rocker.delta_abs"])
 
 `Scene` describes, and answers `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`, `forces`,
-`steady`, `cam`, `law`, `compare_laws`, `find`, `verify`, `reduce`; `law` and `stroke` ask of laws of motion
-by themselves. `dam.kinds` has everything that a scene holds as classes,
-`dam.own` takes Python functions into it.
+`steady`, `linearise`, `response`, `orders`, `cam`, `law`, `compare_laws`, `find`, `gradient`, `verify`, `reduce`; `law` and
+`stroke` ask of laws of motion by themselves. `dam.kinds` has everything that a scene holds
+as classes, `dam.own` takes Python functions into it.
 """
 
 from __future__ import annotations

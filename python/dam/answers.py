@@ -25,6 +25,7 @@ __all__ = [
     "Forces",
     "FoundValue",
     "FrequencyResponse",
+    "Gradient",
     "Json",
     "Kinematics",
     "Law",
@@ -690,6 +691,31 @@ class FoundValue(Answer):
         found = cast("list[dict[str, dict[str, dict[str, float]]]]", document)
         ends = [(one["from"]["sample"], one["to"]["sample"]) for one in found]
         return [(float(first["value"]), float(last["value"])) for first, last in ends]
+
+
+class Gradient(Answer):
+    """Derivatives of results by numbers of a scene."""
+
+    def __init__(self, answer: _dam.Answer, answered: bool) -> None:
+        super().__init__(answer)
+        self._answered = answered
+
+    @property
+    def answered(self) -> bool:
+        """Whether all derivatives are determined, and none failed the check."""
+        return self._answered
+
+    def derivative(self, figure: str, by: str) -> float | None:
+        """The derivative of a result by a number, in SI units; `None`: the verdict leaves none."""
+        return cast("float | None", self._of(figure, by)["derivative"])
+
+    def verdict(self, figure: str, by: str) -> str:
+        """What that derivative is worth: `exact`, `one-sided`, `not determined`, …"""
+        return cast("str", self._of(figure, by)["verdict"])
+
+    def _of(self, figure: str, by: str) -> dict[str, Json]:
+        found = cast("dict[str, dict[str, dict[str, dict[str, Json]]]]", self.document["gradients"])
+        return found[figure]["by"][by]
 
 
 class Requirements(Answer):

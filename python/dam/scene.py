@@ -474,6 +474,24 @@ class Scene:
         )
         return answers.FoundValue(found, answered)
 
+    def gradient(
+        self,
+        by: str | Sequence[str],
+        figures: str | Sequence[str] = (),
+        *,
+        check: bool | None = None,
+        progress: Progress | None = None,
+    ) -> answers.Gradient:
+        """Derivatives of results by numbers of the scene, carried through all contacts.
+
+        `by`: addresses of numbers, `"rocker.inertia"`. `figures`: results of elastic objects,
+        `"rocker.delta_max"`; those asked for most if none. `check`: whether the derivatives are
+        compared with differences of runs; up to five numbers and a thousand events if not said."""
+        paths = [by] if isinstance(by, str) else list(by)
+        named = [figures] if isinstance(figures, str) else list(figures)
+        found = self._core.gradient(paths, named, check, _told(progress))
+        return answers.Gradient(*found)
+
     def verify(self, *, progress: Progress | None = None) -> answers.Requirements:
         """Everything that the scene expects (`expect`), judged by every study that it takes."""
         return answers.Requirements(*self._core.verify(_told(progress)))

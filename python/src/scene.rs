@@ -4,11 +4,11 @@ use crate::answer::Answer;
 use crate::fault;
 use crate::prepared::{Prepared, prepare};
 use crate::studies::{
-    cam, compare, find, law, linear, linkages, map, methods, reduce, run, steady,
+    cam, compare, find, gradient, law, linear, linkages, map, methods, reduce, run, steady,
 };
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
-use dam::ask::{CamQuestion, FindQuestion, ModelAssessment, StrokeQuestion};
+use dam::ask::{CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, StrokeQuestion};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
@@ -589,6 +589,25 @@ impl Scene {
             find::ask(scene, &question, watch)
         })?;
         let (columns, answered) = (found.columns(), found.is_answered());
+        Ok((Answer::with_columns(found, columns), answered))
+    }
+
+    #[pyo3(signature = (by, figures, check, progress))]
+    fn gradient(
+        &self,
+        py: Python<'_>,
+        by: Vec<String>,
+        figures: Vec<String>,
+        check: Option<bool>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Answer, bool)> {
+        let question = GradientQuestion { by, figures, check };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            gradient::ask(scene, &question, watch)
+        })?;
+        let answered = found.is_answered();
+        let columns = crate::answer::Columns::default();
         Ok((Answer::with_columns(found, columns), answered))
     }
 

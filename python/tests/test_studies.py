@@ -299,6 +299,18 @@ def test_the_best_value_meets_its_condition(scenarios: Path) -> None:
         scene.find("rocker.inertia=0.05:0.4", subject="rocker.delta <= 1")
 
 
+def test_derivatives_go_through_contacts(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "rocker" / "two_masses.json")
+    found = scene.gradient("rocker.inertia", ["rocker.delta_max", "rocker.pair.closures"])
+    assert found.answered
+    # Of tests/reference/design-gradients.json.
+    slope = found.derivative("rocker.delta_max", "rocker.inertia")
+    assert slope == pytest.approx(4.4863653894093365, rel=1e-8)
+    assert found.verdict("rocker.pair.closures", "rocker.inertia") == "not applicable"
+    with pytest.raises(dam.SceneError, match="counts"):
+        scene.gradient("rocker.masses")
+
+
 def test_requirements_are_judged(scenarios: Path) -> None:
     scene = dam.load(scenarios / "steady/engine.json")
     found = scene.verify()

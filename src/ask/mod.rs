@@ -11,6 +11,7 @@
 //! | [`map`](Scene::map) | in which range does it work | [`Map`] |
 //! | [`prepare_points`](Scene::prepare_points) | what are figures at many values of parameters | [`PreparedScene`], [`Point`] |
 //! | [`find`](Scene::find) | which value of a parameter is best under conditions | [`FoundValue`](crate::studies::find::FoundValue) |
+//! | [`gradient`](Scene::gradient) | how do results depend on its numbers | [`Gradient`](crate::studies::gradient::Gradient) |
 //! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
@@ -32,6 +33,7 @@
 mod cam;
 mod ended;
 mod find;
+mod gradient;
 mod law_comparison;
 mod laws;
 mod linear;
@@ -49,6 +51,8 @@ pub(crate) use cam::lift_off_speed;
 pub use cam::{CamQuestion, FoundCam};
 pub use find::FindQuestion;
 pub(crate) use find::find;
+pub use gradient::GradientQuestion;
+pub(crate) use gradient::gradient;
 pub(crate) use law_comparison::compare as compare_laws;
 pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;

@@ -1,6 +1,6 @@
 //! Scenes as the library's user holds them.
 
-use super::{FindQuestion, Mechanism, ModelAssessment};
+use super::{FindQuestion, GradientQuestion, Mechanism, ModelAssessment};
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
@@ -13,6 +13,7 @@ use crate::studies::compare::{Comparison, compare};
 use crate::studies::expectations::Requirement;
 use crate::studies::find::FoundValue;
 use crate::studies::forces::ForceStudy;
+use crate::studies::gradient::Gradient;
 use crate::studies::kinematics::{Kinematics, Question};
 use crate::studies::run::RunResult;
 use crate::studies::steady::Answer;
@@ -342,6 +343,41 @@ impl Scene {
                 .prepare_judging(ModelAssessment::Needed, control)
         };
         super::find::find(question, &prepare, control, &|_| {})
+    }
+
+    /// Derivatives of results of the run by numbers of the scene, carried through all contacts.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// use dam::ask::GradientQuestion;
+    /// use dam::studies::Control;
+    ///
+    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
+    /// let question = GradientQuestion {
+    ///     by: vec!["rocker.inertia".to_owned()],
+    ///     figures: vec!["rocker.delta_max".to_owned()],
+    ///     ..GradientQuestion::default()
+    /// };
+    /// let found = scene.gradient(&question, &Control::default())?;
+    /// let slope = found.figures[0].by[0].derivative.expect("a derivative");
+    /// assert!((slope - 4.48636538940934).abs() < 1e-7);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The scene is wrong, or of a kind that has no derivatives; an address is no number, or no
+    /// result of an elastic object.
+    pub fn gradient(
+        &self,
+        question: &GradientQuestion,
+        control: &Control<'_>,
+    ) -> Result<Gradient, Error> {
+        let prepare = |settings: &[String]| {
+            self.with_arguments(settings)
+                .prepare_judging(ModelAssessment::Needed, control)
+        };
+        let numbers = self.with_catalogues(|catalogue| self.document.numbers(catalogue));
+        super::gradient::gradient(question, &prepare, &numbers, control)
     }
 
     /// Judges everything that the scene expects, in its order, by the run and the studies that

@@ -4,6 +4,7 @@ mod cam;
 mod course;
 mod find;
 mod forces;
+mod gradient;
 mod kinematics;
 mod linear;
 mod methods;
@@ -15,6 +16,7 @@ pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use course::CourseArgs;
 pub(crate) use find::FindArgs;
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
+pub(crate) use gradient::GradientArgs;
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
@@ -75,6 +77,8 @@ pub(crate) enum Command {
     /// Find the best value of a parameter under conditions on figures: the highest speed, the least
     /// preload, the smallest base circle
     Find(FindArgs),
+    /// Derivatives of results by numbers of the scene, carried exactly through contacts
+    Gradient(GradientArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -121,6 +125,7 @@ impl Command {
             | Self::Show(ShowArgs { scene, .. })
             | Self::Compare(CompareArgs { scene, .. })
             | Self::Find(FindArgs { scene, .. })
+            | Self::Gradient(GradientArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Linearise(LineariseArgs { scene, .. })
             | Self::Response(ResponseArgs { scene, .. })

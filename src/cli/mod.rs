@@ -21,6 +21,7 @@ mod expected;
 mod failure;
 mod find;
 mod forces;
+mod gradient;
 mod input;
 mod interrupt;
 mod journal;
@@ -91,6 +92,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Show(args) => show::command(args),
         Command::Compare(args) => compare::command(args),
         Command::Find(args) => find::command(args, &Terminal),
+        Command::Gradient(args) => gradient::command(args),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Linearise(args) => linearise::command(args, &Terminal),

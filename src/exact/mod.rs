@@ -137,6 +137,7 @@ mod resonance;
 mod run;
 mod sample;
 mod search;
+pub(crate) mod sensitivity;
 mod signal;
 mod start;
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod roots;
 
 pub use parts::{divide, halve, raise};
 pub(crate) use places::Places;
+pub(crate) use roots::sign_changes;
 pub use roots::{first_both_positive, first_positive};
 
 /// Continuous output over one accepted step: for every signal a polynomial in

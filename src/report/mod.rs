@@ -38,6 +38,7 @@ pub mod fitted;
 #[cfg(test)]
 mod fixture;
 pub mod forces;
+pub mod gradient;
 pub mod html;
 pub mod kinematics;
 pub mod law;

@@ -20,6 +20,7 @@ pub mod exact;
 pub mod expectations;
 pub mod find;
 pub mod forces;
+pub mod gradient;
 pub mod judgement;
 pub mod kinematics;
 pub mod law;

@@ -142,6 +142,16 @@ const BASES: &[(&str, &[&str])] = &[
             "frequency.1 >= 600 Hz",
         ],
     ),
+    (
+        "gradient",
+        &[
+            ROCKER,
+            "--set",
+            "run.duration=0.05",
+            "--by",
+            "rocker.inertia,rocker.stiffness",
+        ],
+    ),
     ("verify", &[ROCKER]),
     ("reduce", &[CLOSED, "--set", "run.duration=0.1"]),
     (

@@ -1,7 +1,8 @@
-//! Studies: maps, laws of motion, cams, steady motion.
+//! Studies: derivatives, maps, laws of motion, cams, steady motion.
 
 mod cam;
 mod contact_force;
+mod gradient;
 mod law;
 mod map;
 mod map_order;

@@ -114,11 +114,17 @@ fn choices_for_scene(command: &str, ready: &Mechanism, tree: &Value) -> (Choices
         }
         "orders" => {
             let wrong = orders::suits(&ready.system).err().unwrap_or_default();
-            (Vec::new(), wrong.into_iter().next().map(|fault| fault.message))
+            (
+                Vec::new(),
+                wrong.into_iter().next().map(|fault| fault.message),
+            )
         }
         "linearise" | "response" => {
             let wrong = LinearModel::of(&ready.system).err().unwrap_or_default();
-            (Vec::new(), wrong.into_iter().next().map(|fault| fault.message))
+            (
+                Vec::new(),
+                wrong.into_iter().next().map(|fault| fault.message),
+            )
         }
         "cam" => {
             let names = objects_with_cam(ready.scene())

@@ -246,6 +246,35 @@ fn earliest_exit(
     Ok(first)
 }
 
+/// The time at which a motion leaves the formulas in force just after `time`, or `end` if it does
+/// not before.
+pub(crate) fn formulas_end(
+    course: &PrescribedMotion,
+    formulas: &Formulas,
+    time: f64,
+    end: f64,
+) -> f64 {
+    let (everywhere, last) = ((f64::NEG_INFINITY, f64::INFINITY), end.min(formulas.until));
+    let mut from = time;
+    while from < last {
+        let mut length = (last - from).min(0.125 * course.time_of_next_turn(from));
+        let after = loop {
+            match earliest_exit(course, formulas, everywhere, from, length) {
+                Ok(found) => break found,
+                Err(()) => length *= 0.5,
+            }
+            if from + length == from {
+                break Some(0.0);
+            }
+        };
+        match after {
+            Some(after) => return from + after,
+            None => from += length,
+        }
+    }
+    last
+}
+
 /// When the displacement after `depth` stages leaves `limits` within `length`;
 /// `Err`: the interval is too long to tell.
 fn exit_time(

@@ -21,7 +21,7 @@ mod rhythm;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use fit::fit_course;
+pub(crate) use fit::{fit_course, formulas_end};
 pub(crate) use hidden::Target;
 pub(crate) use prescribed::{PrescribedMotion, place_inside};
 pub use rest::Rest;
@@ -165,6 +165,16 @@ impl Parts {
             }
         }
         Some(longest)
+    }
+
+    /// The prescribed motion that a chain follows, led through its own position function.
+    pub(crate) fn motion_behind(&self, system: &System, object: usize) -> Option<PrescribedMotion> {
+        let model = system.model();
+        let NodeMotion::Mass { law } = &model.nodes[model.objects[object].nodes[0]].motion else {
+            return None;
+        };
+        let before = self.courses[law.driver].as_ref()?;
+        Some(before.through_position(&law.position, law.lever))
     }
 
     /// True when nothing that no tree holds looks at what a tree moves.

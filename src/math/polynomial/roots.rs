@@ -31,6 +31,50 @@ pub fn first_positive(coefficients: &[f64]) -> Option<f64> {
     first_both_positive(coefficients, coefficients)
 }
 
+/// Adds all places 0 < s < 1 at which a polynomial (Bernstein coefficients over 0 ≤ s ≤ 1)
+/// changes its sign, in their order. Two that are closer than rounding are none.
+pub(crate) fn sign_changes(coefficients: &[f64], found: &mut Vec<f64>) {
+    if variations(coefficients) == 0 {
+        return;
+    }
+    let mut row = [0.0; MAX_DEGREE + 1];
+    row[..coefficients.len()].copy_from_slice(coefficients);
+    add_sign_changes(&row, coefficients.len() - 1, [0.0, 1.0], DEEPEST, found);
+}
+
+fn add_sign_changes(
+    row: &Coefficients,
+    degree: usize,
+    [from, to]: [f64; 2],
+    halvings: u32,
+    found: &mut Vec<f64>,
+) {
+    let own = &row[..=degree];
+    match variations(own) {
+        0 => {}
+        1 => {
+            let rising = own.iter().find(|&&c| c != 0.0).is_some_and(|&c| c < 0.0);
+            found.push(from + only_root(own, rising) * (to - from));
+        }
+        _ if halvings == 0 => {}
+        _ => {
+            let middle = 0.5 * (from + to);
+            let (left, right) = split_in_halves(row, degree);
+            add_sign_changes(&left, degree, [from, middle], halvings - 1, found);
+            // A root exactly in the middle is in neither half.
+            let last = left[..=degree].iter().rev().find(|&&c| c != 0.0);
+            let next = right[..=degree].iter().find(|&&c| c != 0.0);
+            if right[0] == 0.0
+                && let (Some(last), Some(next)) = (last, next)
+                && last.signum() != next.signum()
+            {
+                found.push(middle);
+            }
+            add_sign_changes(&right, degree, [middle, to], halvings - 1, found);
+        }
+    }
+}
+
 fn search(
     pair: &[Coefficients; 2],
     degree: usize,
@@ -219,6 +263,33 @@ mod tests {
             epsilon = 1e-15
         );
         assert_eq!(first_positive(&[0.0; 6]), None);
+    }
+
+    #[test]
+    fn all_changes_of_sign_are_found_in_order_and_touches_are_none() {
+        let found = |roots: &[f64]| {
+            let mut found = Vec::new();
+            sign_changes(&from_roots(roots, -2.0), &mut found);
+            found
+        };
+        for roots in [
+            &[0.2, 0.25, 0.9][..],
+            &[0.25, 0.5, 0.75],
+            &[0.5],
+            &[-1.0, 2.0],
+        ] {
+            let inside: Vec<f64> = roots
+                .iter()
+                .copied()
+                .filter(|r| *r > 0.0 && *r < 1.0)
+                .collect();
+            let places = found(roots);
+            assert_eq!(places.len(), inside.len(), "{roots:?} {places:?}");
+            for (place, root) in places.iter().zip(&inside) {
+                approx::assert_abs_diff_eq!(place, root, epsilon = 1e-13);
+            }
+        }
+        assert!(found(&[0.375, 0.375]).is_empty());
     }
 
     #[test]
