@@ -376,7 +376,7 @@ impl Scene {
             self.with_arguments(settings)
                 .prepare_judging(ModelAssessment::Needed, control)
         };
-        let numbers = self.with_catalogues(|catalogue| self.document.numbers(catalogue));
+        let numbers = self.document.numbers(&*self.catalogue);
         super::gradient::gradient(question, &prepare, &numbers, control)
     }
 
