@@ -7,6 +7,7 @@ import { Host } from "./host";
 import type { Link, Message } from "./link";
 import { OptionField, type Option } from "./option";
 import { BENCH, RESULTS } from "./store/views";
+import { Tabs } from "./tabs";
 import { choice, reshow } from "./units";
 
 export interface Question {
@@ -234,25 +235,16 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const stale = open && shown.current !== "" && refused !== "" && !faulty;
   return (
     <section class="asking" aria-label="questions" aria-busy={waiting && !faulty && question !== null}>
-      <div key="tabs" class="tabs" role="tablist" aria-label="questions">
-        {[...FIRST, ...names].map((name) => {
-          const all = questions.filter((one) => one.tab === name),
-            why = all.length && all.every((one) => one.why) ? all[0]!.why! : "";
-          return (
-            <button
-              type="button"
-              role="tab"
-              key={name}
-              class={why ? "unfit" : ""}
-              aria-selected={tab === name}
-              title={why}
-              onClick={() => choose(name)}
-            >
-              {name}
-            </button>
-          );
+      <Tabs
+        key="tabs"
+        label="questions"
+        chosen={tab}
+        choose={choose}
+        tabs={[...FIRST, ...names].map((name) => {
+          const all = questions.filter((one) => one.tab === name);
+          return { name, words: name, why: all.length && all.every((one) => one.why) ? all[0]!.why! : "" };
         })}
-      </div>
+      />
       <div key="asked" class="asked" hidden={!open}>
         {open && own.length > 1 && (
           <div key="parts" class="parts" role="radiogroup" aria-label="which question">

@@ -5,6 +5,7 @@ import { Exports } from "./exports";
 import { createScene, folder, isSaved, request, saveAs, scene, scenes, status } from "./store/file";
 import { isConnected, link } from "./store/line";
 import { tell } from "./store/notices";
+import { places } from "./store/places";
 import { isStale } from "./store/run";
 import { goHome, isHome, isTouring } from "./store/views";
 import { UnitsMenu } from "./units-menu";
@@ -68,9 +69,17 @@ const Lost = () => (
   </span>
 );
 
+// For the keyboard: past the bar.
+const Skip = () => (
+  <button type="button" class="skip" onClick={() => places.stage.focus()}>
+    Skip the bar
+  </button>
+);
+
 export function Header() {
   return (
-    <div class="top" role="toolbar" aria-label="scene">
+    <header class="top">
+      <Skip />
       <strong>dam studio</strong>
       <button type="button" aria-pressed={isHome.value} onClick={goHome}>
         Home
@@ -90,6 +99,6 @@ export function Header() {
       </button>
       <UnitsMenu />
       {!isConnected.value && <Lost />}
-    </div>
+    </header>
   );
 }

@@ -9,7 +9,8 @@ import { type Found, faults, newest, objects, parts } from "./store/findings";
 import { link } from "./store/line";
 import { placed } from "./store/places";
 import { drag, edit, isAt, revision, tree } from "./store/text";
-import { lookAt, lookAtFault, lookAtObject, select, selection, view, VIEWS } from "./store/views";
+import { lookAt, lookAtFault, lookAtObject, select, selection, view, type View, VIEWS } from "./store/views";
+import { Tabs } from "./tabs";
 
 // Faults that are listed.
 const MOST = 100;
@@ -67,13 +68,12 @@ export function SceneViews() {
   const own = view.value;
   return (
     <div class={`pane-left shows-${own}${own === "drawing" ? " draws" : ""}`}>
-      <div class="tabs" role="tablist" aria-label="views of the scene">
-        {VIEWS.map(([name, words]) => (
-          <button type="button" role="tab" key={name} aria-selected={own === name} onClick={() => lookAt(name)}>
-            {words}
-          </button>
-        ))}
-      </div>
+      <Tabs
+        label="views of the scene"
+        chosen={own}
+        choose={(name) => lookAt(name as View)}
+        tabs={VIEWS.map(([name, words]) => ({ name, words }))}
+      />
       {own === "objects" && <Graph />}
       {own === "drawing" && <Mechanism />}
       {(own === "model" || own === "equations") && <Written key={own} kind={own} />}

@@ -6,6 +6,7 @@ import { scene } from "./store/file";
 import { link } from "./store/line";
 import { editor, fields, spans } from "./store/text";
 import { selection, side } from "./store/views";
+import { Tabs } from "./tabs";
 
 function Numbers() {
   return (
@@ -25,25 +26,22 @@ function Numbers() {
 export function Side() {
   const isNumbers = side.value === "numbers",
     ids = selection.value;
-  const tab = (name: typeof side.value, words: string) => (
-    <button
-      type="button"
-      role="tab"
-      aria-selected={side.value === name}
-      onClick={() => {
-        side.value = name;
-      }}
-    >
-      {words}
-    </button>
-  );
   return (
-    <div class="pane-middle">
-      <div class="tabs" role="tablist" aria-label="numbers and properties">
-        {tab("numbers", "Numbers")}
-        {tab("properties", `Properties${ids.length === 1 ? ` of ${ids[0]}` : ""}`)}
+    <section class="pane-middle" aria-label="numbers and properties">
+      <Tabs
+        label="numbers and properties"
+        chosen={side.value}
+        choose={(name) => {
+          side.value = name as typeof side.value;
+        }}
+        tabs={[
+          { name: "numbers", words: "Numbers" },
+          { name: "properties", words: `Properties${ids.length === 1 ? ` of ${ids[0]}` : ""}` },
+        ]}
+      />
+      <div class="side" role="tabpanel" aria-label={side.value}>
+        {isNumbers ? <Numbers /> : <Properties />}
       </div>
-      <div class="side">{isNumbers ? <Numbers /> : <Properties />}</div>
-    </div>
+    </section>
   );
 }

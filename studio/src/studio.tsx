@@ -6,6 +6,7 @@ import { Header } from "./header";
 import { Notices } from "./notices";
 import { folder, isSaved, request, scene } from "./store/file";
 import { link } from "./store/line";
+import { placed } from "./store/places";
 import { start } from "./store/start";
 import { bring, enterScene, isHome, isTouring, seen } from "./store/views";
 import { Tour } from "./tour";
@@ -44,10 +45,10 @@ const TourOfPage = () => (
 );
 
 const Stage = () => (
-  <div class={isHome.value ? "stage home" : "stage"}>
+  <main class={isHome.value ? "stage home" : "stage"} tabIndex={-1} ref={placed("stage")}>
     <Workbench />
     {isHome.value && <FirstPage />}
-  </div>
+  </main>
 );
 
 export function Studio() {

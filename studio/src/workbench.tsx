@@ -18,10 +18,10 @@ import { placed } from "./store/places";
 import { answer, isStale, openings } from "./store/run";
 import { BENCH, tab } from "./store/views";
 
-// What only the printed page has.
+// On paper, and for those who hear the page.
 const PrintHead = () => (
   <header class="print-head">
-    <h1>{answer.value?.title || scene.value}</h1>
+    <h1>{answer.value?.title || scene.value || "dam studio"}</h1>
     <p>
       {folder}/{scene}, dam {program}
       {isSaved.value ? "" : ", changes not saved"}
@@ -46,7 +46,7 @@ const Questions = () => (
 function Answers() {
   const { graph, canvas } = layout.value;
   return (
-    <main
+    <section
       class={`answers${isStale.value ? " stale" : ""}${tab.value === BENCH ? "" : " asks"}`}
       ref={placed("answers")}
       aria-label="answers"
@@ -64,7 +64,7 @@ function Answers() {
       <Splitter name="canvas" label="height of the canvas" upright={false} />
       <Dock />
       <Results />
-    </main>
+    </section>
   );
 }
 

@@ -271,7 +271,7 @@ impl Table {
         let rows: String = self.rows.iter().map(|one| row(&one.cells)).collect();
         let class = if wide { "wide" } else { "" };
         format!(
-            "<div class=\"scroll\"><table class=\"{class}\">\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\
+            "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table class=\"{class}\">\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\
              </table></div>\n"
         )
         .replace(" class=\"\"", "")

@@ -208,7 +208,7 @@ impl<'a> Whole<'a> {
         let [w, h] = self.size.map(coordinate);
         format!(
             "<div class=\"stations\">\n<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-             height=\"{h}\" role=\"img\" aria-label=\"the machine moving\">\n{out}{above}</svg>\n</div>\n"
+             height=\"{h}\" role=\"group\" aria-label=\"the machine moving\">\n{out}{above}</svg>\n</div>\n"
         )
     }
 }

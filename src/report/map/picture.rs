@@ -66,7 +66,7 @@ pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
     let [w, h] = [KEY, height].map(coordinate);
     format!(
         "<div class=\"chart map\"><svg class=\"dam-plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-         role=\"img\" aria-label=\"colours and verdicts\">\n{}{body}</svg></div>\n",
+         role=\"group\" aria-label=\"colours and verdicts\">\n{}{body}</svg></div>\n",
         patterns()
     )
 }
@@ -88,7 +88,7 @@ pub(in crate::report) fn interactive_map(
     let [w, h] = sheet.size.map(coordinate);
     format!(
         "<div class=\"chart map\"><svg class=\"dam-plot\" data-steers=\"\" viewBox=\"0 0 {w} {h}\" \
-         width=\"{w}\" role=\"img\" aria-label=\"{}\">\n{}</svg></div>\n",
+         width=\"{w}\" role=\"group\" aria-label=\"{}\">\n{}</svg></div>\n",
         escape(&sheet.name),
         sheet.body
     )

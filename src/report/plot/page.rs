@@ -107,7 +107,7 @@ impl Plots {
         let (w, h) = (coordinate(width), coordinate(height));
         format!(
             "<div class=\"chart\"><svg class=\"dam-plot\" data-fluid=\"\" viewBox=\"0 0 {w} {h}\" \
-             role=\"img\" aria-label=\"{}\">\n{body}</svg></div>\n",
+             role=\"group\" aria-label=\"{}\">\n{body}</svg></div>\n",
             escape(&plot.title)
         )
     }

@@ -43,7 +43,7 @@ pub(in crate::report) fn diagram_with_links(diagram: &Diagram, plots: &Plots) ->
     let ([width, height], body) = draw_diagram(diagram, true);
     let (w, h) = (coordinate(width), coordinate(height));
     format!(
-        "<svg class=\"dam-graph\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+        "<svg class=\"dam-graph\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"group\" \
          aria-label=\"Object graph\">\n{}{body}</svg>\n",
         plots.style(STYLE)
     )

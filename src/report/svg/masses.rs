@@ -44,7 +44,7 @@ pub(in crate::report) fn svg(model: &Model) -> String {
         coordinate(2.0 * MARGIN + ROW * shown.len() as f64),
     );
     format!(
-        "<svg class=\"dam-model\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+        "<svg class=\"dam-model\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"group\" \
          aria-label=\"Dynamic model\">\n{rows}</svg>\n"
     )
 }

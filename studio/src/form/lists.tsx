@@ -67,7 +67,7 @@ export function MapOf({ inner, Nested, ...props }: FieldProps & Nesting & { inne
       <button
         type="button"
         class="add"
-        aria-label={`add to ${address(path)}`}
+        aria-label={`Add ${shown(stem)} to ${address(path)}`}
         onClick={() => write([...path, freeName(stem, names)], fresh)}
       >
         Add {shown(stem)}
@@ -128,7 +128,7 @@ export function ListOf({ inner, Nested, ...props }: FieldProps & Nesting & { inn
       <button
         type="button"
         class="add"
-        aria-label={`add to ${address(path)}`}
+        aria-label={`Add ${stem} to ${address(path)}`}
         onClick={() => write([...path, items.length], "{}")}
       >
         Add {stem}

@@ -125,7 +125,7 @@ export function More({
     seen = toggle ? open : own;
   return (
     <details class="more" open={seen} onToggle={(event) => (toggle ?? setOwn)(event.currentTarget.open)}>
-      <summary aria-label={label}>
+      <summary aria-label={`${title} ${help}: ${label}`}>
         {title} <span class="soft">{help}</span>
       </summary>
       {seen && children()}

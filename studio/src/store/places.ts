@@ -1,6 +1,6 @@
 // Elements of the page whose content is made by others than the components: text, charts, tables.
 
-type Place = "answers" | "text" | "machine" | "dock" | "charts" | "tables" | "compared";
+type Place = "stage" | "answers" | "text" | "machine" | "dock" | "charts" | "tables" | "compared";
 
 export const places = {} as Record<Place, HTMLElement>;
 
