@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from dam.scene import Progress, Scene
 
     Numbers = Sequence[float] | numpy.typing.NDArray[numpy.float64]
-    Rows = Sequence[Sequence[float]] | Sequence[float] | numpy.typing.NDArray[numpy.float64]
+    Rows = Sequence[Numbers] | Sequence[float] | numpy.typing.NDArray[numpy.float64]
 
 __all__ = ["Point", "Points", "PreparedScene"]
 
@@ -242,6 +242,7 @@ class Points:
         import pandas
 
         parameters, figures = self._prepared.parameters, self._prepared.figures
+        frame: pandas.DataFrame
         frame = pandas.DataFrame(self._rows, columns=parameters, dtype=float)
         for figure in figures:
             frame[figure] = self[figure]
@@ -270,7 +271,7 @@ def _list(values: Numbers) -> list[float]:
 
 def _rows(points: Rows) -> list[list[float]]:
     listed = getattr(points, "tolist", None)
-    plain: list[float | Sequence[float]] = list(points) if listed is None else listed()
+    plain: list[float | Numbers] = list(points) if listed is None else listed()
     return [[row] if isinstance(row, (int, float)) else _list(row) for row in plain]
 
 

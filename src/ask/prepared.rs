@@ -46,60 +46,32 @@ pub struct PointTable {
     figures: usize,
 }
 
-impl Scene {
-    /// Prepares the scene for many values of its parameters: what does not depend on them is
-    /// done once, and a point then costs little more than its run. `parameters` are addresses
-    /// of numbers of the scene, whose values are then in SI units; `figures` are those of
-    /// expectations and of [`Scene::find`].
-    ///
-    /// ```
-    /// # use dam::prelude::*;
-    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
-    /// let prepared =
-    ///     scene.prepare_points(&["rocker.inertia"], &["rocker.delta_max", "frequency.1"])?;
-    /// let point = prepared.at(&[0.05])?;
-    /// assert_eq!(point.verdict, Verdict::InWorkingOrder);
-    /// assert!(point.value(0).is_some_and(|delta| delta < 1e-3));
-    /// let table = prepared.table(&[[0.05], [-1.0]])?;
-    /// assert_eq!(table.points[0], point);
-    /// assert_eq!((table.points[1].verdict, table.points[1].value(0)), (Verdict::Refused, None));
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// Objects that leave their level open have one level at all points: the one that the
-    /// figures need at the scene's own values ([`PreparedScene::levels`]). A run of a point
-    /// takes at most 20 million steps.
+impl PreparedScene {
+    /// Prepares a scene.
     ///
     /// # Errors
-    /// Everything that is wrong with the scene at its own values; an address that is no number
-    /// of the scene, or is named twice; a figure that no run or study of the scene has.
-    pub fn prepare_points(
-        &self,
-        parameters: &[impl AsRef<str>],
-        figures: &[impl AsRef<str>],
-    ) -> Result<PreparedScene, Error> {
-        let parameters: Vec<&str> = parameters.iter().map(AsRef::as_ref).collect();
-        let figures: Vec<&str> = figures.iter().map(AsRef::as_ref).collect();
-        let reading = self.decode()?;
+    /// As of [`Scene::prepare_points`].
+    pub(super) fn of(scene: &Scene, parameters: &[&str], figures: &[&str]) -> Result<Self, Error> {
+        let reading = scene.decode()?;
         let system = system_of(&reading)?;
         let model = system.model();
         let mut faults = Vec::new();
-        let values = numbers(&reading, &parameters, &mut faults);
-        let figure_units = units_of_figures(&figures, model, &mut faults);
+        let values = numbers(&reading, parameters, &mut faults);
+        let figure_units = units_of_figures(figures, model, &mut faults);
         if !faults.is_empty() {
             return Err(Diagnostics::new(Sources::default(), faults).into());
         }
         let asked: Vec<Parameter> = parameters.iter().map(|path| si_parameter(path)).collect();
         let parameter_units = asked.iter().map(|one| one.display_unit(model)).collect();
-        let figures: Vec<String> = figures.into_iter().map(str::to_owned).collect();
-        let mut remarks = remarks_on(&reading, model, &figures, self)?;
+        let figures: Vec<String> = figures.iter().map(|&one| one.to_owned()).collect();
+        let mut remarks = remarks_on(&reading, model, &figures, scene)?;
         let levels = finest_levels(std::iter::once(reading), &figures);
         remarks.extend(remark_on_levels(&levels));
-        let document = self.document().without_expectations().with_levels(levels);
-        let fixed = self.settings().arguments().to_vec();
+        let document = scene.document().without_expectations().with_levels(levels);
+        let fixed = scene.settings().arguments().to_vec();
         let question = PointQuestion {
             document: Arc::new(document),
-            catalogue: Arc::clone(self.catalogue()),
+            catalogue: Arc::clone(scene.catalogue()),
             fixed,
             parameters: asked,
             figures,
@@ -107,8 +79,8 @@ impl Scene {
         };
         // What the text of the scene does not take is seen here, and not at every point.
         question.check(&values)?;
-        Ok(PreparedScene {
-            parameters: parameters.into_iter().map(str::to_owned).collect(),
+        Ok(Self {
+            parameters: parameters.iter().map(|&one| one.to_owned()).collect(),
             prepared: Prepared::new(question),
             parameter_units,
             values,
@@ -116,9 +88,7 @@ impl Scene {
             remarks,
         })
     }
-}
 
-impl PreparedScene {
     /// With a second run of each point, with loads and gaps changed by one part in 10¹⁰, that
     /// shows whether its figures are determined to so many digits.
     #[must_use]

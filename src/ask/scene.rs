@@ -1,6 +1,6 @@
 //! Scenes as the library's user holds them.
 
-use super::{FindQuestion, GradientQuestion, Mechanism, ModelAssessment};
+use super::{FindQuestion, GradientQuestion, Mechanism, ModelAssessment, PreparedScene};
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
@@ -307,6 +307,42 @@ impl Scene {
             let value = values.next().unwrap_or_else(|| label.into());
             self.clone().set(address, value).run()
         })
+    }
+
+    /// Prepares the scene for many values of its parameters: what does not depend on them is
+    /// done once, and a point then costs little more than its run. `parameters` are addresses
+    /// of numbers of the scene, whose values are then in SI units; `figures` are those of
+    /// expectations and of [`Scene::find`].
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
+    /// let prepared =
+    ///     scene.prepare_points(&["rocker.inertia"], &["rocker.delta_max", "frequency.1"])?;
+    /// let point = prepared.at(&[0.05])?;
+    /// assert_eq!(point.verdict, Verdict::InWorkingOrder);
+    /// assert!(point.value(0).is_some_and(|delta| delta < 1e-3));
+    /// let table = prepared.table(&[[0.05], [-1.0]])?;
+    /// assert_eq!(table.points[0], point);
+    /// assert_eq!((table.points[1].verdict, table.points[1].value(0)), (Verdict::Refused, None));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// Objects that leave their level open have one level at all points: the one that the
+    /// figures need at the scene's own values ([`PreparedScene::levels`]). A run of a point
+    /// takes at most 20 million steps.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the scene at its own values; an address that is no number
+    /// of the scene, or is named twice; a figure that no run or study of the scene has.
+    pub fn prepare_points(
+        &self,
+        parameters: &[impl AsRef<str>],
+        figures: &[impl AsRef<str>],
+    ) -> Result<PreparedScene, Error> {
+        let parameters: Vec<&str> = parameters.iter().map(AsRef::as_ref).collect();
+        let figures: Vec<&str> = figures.iter().map(AsRef::as_ref).collect();
+        PreparedScene::of(self, &parameters, &figures)
     }
 
     /// The value of a parameter that meets conditions best: the highest speed at which a pair
