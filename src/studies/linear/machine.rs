@@ -66,12 +66,12 @@ fn refuse(system: &System) -> Result<(), Vec<Fault>> {
     };
     for part in model.objects.iter().filter(|part| !part.is_inner()) {
         let node = part.nodes.first().map(|&node| &model.nodes[node].motion);
-        let linkage = model
-            .linkages
+        let varies = part
+            .nodes
             .iter()
-            .any(|body| part.nodes.contains(&body.node));
+            .any(|&node| model.has_variable_inertia(node));
         match node {
-            _ if linkage => refuse(&part.id, "its reduced inertia changes as it moves"),
+            _ if varies => refuse(&part.id, "its reduced inertia changes as it moves"),
             Some(NodeMotion::Prescribed { .. }) => {
                 refuse(&part.id, "its motion is prescribed beside a motor");
             }
@@ -89,12 +89,6 @@ fn refuse(system: &System) -> Result<(), Vec<Fault>> {
             }
             _ => {}
         }
-    }
-    for body in &model.multi_linkages {
-        refuse(
-            &model.objects[body.object].id,
-            "its inertia changes as it moves",
-        );
     }
     match faults.is_empty() {
         true => Ok(()),
