@@ -40,7 +40,7 @@ pub(super) fn has_motor(model: &Model) -> bool {
 /// What in the machine is against it, at its object; there is no steady motion.
 pub(super) fn linearise_machine(system: &System) -> Result<Linearisation, Vec<Fault>> {
     refuse(system)?;
-    let machine = Machine::of(system);
+    let machine = SteadyMachine::of(system);
     let steady = machine.steady_state()?;
     machine.refuse_angles(&steady)?;
     Ok(Linearisation {
@@ -97,7 +97,7 @@ fn refuse(system: &System) -> Result<(), Vec<Fault>> {
 }
 
 /// A machine whose ratios are constant.
-struct Machine<'s> {
+struct SteadyMachine<'s> {
     system: &'s System,
     /// Coordinates of the motors' rotors, and all others.
     rotors: Vec<usize>,
@@ -107,7 +107,7 @@ struct Machine<'s> {
     modes: Modes,
 }
 
-impl<'s> Machine<'s> {
+impl<'s> SteadyMachine<'s> {
     fn of(system: &'s System) -> Self {
         let model = system.model();
         let n = system.coordinates();
