@@ -79,6 +79,15 @@ pub struct Model {
 }
 
 impl Model {
+    /// True of a node whose inertia changes as it moves: an input of a planar linkage.
+    pub fn has_variable_inertia(&self, node: NodeIndex) -> bool {
+        let several = self.multi_linkages.iter();
+        self.linkages.iter().any(|body| body.node == node)
+            || several
+                .flat_map(|body| &body.inputs)
+                .any(|&own| own == node)
+    }
+
     /// The stop that an object part is.
     pub fn stop(&self, part: usize) -> Option<Stop> {
         let own = self.stops.iter().find(|stop| stop.part == part)?;

@@ -116,7 +116,7 @@ impl Terms {
 fn integrals_of_powers(count: usize, kappa: f64) -> Vec<C> {
     if kappa == 0.0 {
         let whole = |j: usize| {
-            if j % 2 == 0 {
+            if j.is_multiple_of(2) {
                 2.0 / (j + 1) as f64
             } else {
                 0.0

@@ -19,7 +19,7 @@ pub(crate) struct ResponseArgs {
     pub(crate) scene: SceneArgs,
     /// Frequencies: 10:4000 Hz, with :200 behind it so many, with :linear equal differences between
     /// them; or a list: 10,500,1500 Hz [default: around all natural frequencies]
-    #[arg(long, value_name = "LOW:HIGH[:COUNT]|LIST")]
+    #[arg(long, value_name = "LOW:HIGH[:COUNT]|LIST", allow_hyphen_values = true)]
     pub(crate) frequencies: Option<String>,
     /// An input: rocker.law, rocker.load (may be repeated) [default: every law]
     #[arg(long, value_name = "NAME")]
@@ -40,7 +40,7 @@ pub(crate) struct OrdersArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
     /// Speeds of the drive: 0:3000 rpm [default: up to twice the speed of the scene]
-    #[arg(long, value_name = "LOW:HIGH")]
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
     pub(crate) speeds: Option<String>,
     /// Highest order of the drive
     #[arg(long, value_name = "ORDER", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=10_000))]

@@ -34,7 +34,7 @@ if __name__ == "__main__":
 "#;
 
 /// For Matlab with its Control System Toolbox, or GNU Octave with its package `control`.
-pub const MATLAB: &str = r"% Loads linear.json, which dam wrote, as the state space `system`.
+pub const MATLAB: &str = r#"% Loads linear.json, which dam wrote, as the state space `system`.
 % The law of an object is three inputs: the law, its speed and its acceleration.
 data = jsondecode(fileread(fullfile(fileparts(mfilename('fullpath')), 'linear.json')));
 columns = numel(data.inputs);
@@ -44,4 +44,4 @@ system = ss(reshape(data.A, states, states), reshape(data.B, states, columns), .
             reshape(data.C, rows, states), reshape(data.D, rows, columns), ...
             'StateName', {data.states.name}, 'InputName', {data.inputs.name}, ...
             'OutputName', {data.outputs.name});
-";
+"#;

@@ -40,7 +40,7 @@ pub(super) fn has_motor(model: &Model) -> bool {
 /// What in the machine is against it, at its object; there is no steady motion.
 pub(super) fn linearise_machine(system: &System) -> Result<Linearisation, Vec<Fault>> {
     refuse(system)?;
-    let machine = Machine::of(system);
+    let machine = SteadyMachine::of(system);
     let steady = machine.steady_state()?;
     machine.refuse_angles(&steady)?;
     Ok(Linearisation {
@@ -66,12 +66,12 @@ fn refuse(system: &System) -> Result<(), Vec<Fault>> {
     };
     for part in model.objects.iter().filter(|part| !part.is_inner()) {
         let node = part.nodes.first().map(|&node| &model.nodes[node].motion);
-        let linkage = model
-            .linkages
+        let varies = part
+            .nodes
             .iter()
-            .any(|body| part.nodes.contains(&body.node));
+            .any(|&node| model.has_variable_inertia(node));
         match node {
-            _ if linkage => refuse(&part.id, "its reduced inertia changes as it moves"),
+            _ if varies => refuse(&part.id, "its reduced inertia changes as it moves"),
             Some(NodeMotion::Prescribed { .. }) => {
                 refuse(&part.id, "its motion is prescribed beside a motor");
             }
@@ -90,12 +90,6 @@ fn refuse(system: &System) -> Result<(), Vec<Fault>> {
             _ => {}
         }
     }
-    for body in &model.multi_linkages {
-        refuse(
-            &model.objects[body.object].id,
-            "its inertia changes as it moves",
-        );
-    }
     match faults.is_empty() {
         true => Ok(()),
         false => Err(faults),
@@ -103,7 +97,7 @@ fn refuse(system: &System) -> Result<(), Vec<Fault>> {
 }
 
 /// A machine whose ratios are constant.
-struct Machine<'s> {
+struct SteadyMachine<'s> {
     system: &'s System,
     /// Coordinates of the motors' rotors, and all others.
     rotors: Vec<usize>,
@@ -113,7 +107,7 @@ struct Machine<'s> {
     modes: Modes,
 }
 
-impl<'s> Machine<'s> {
+impl<'s> SteadyMachine<'s> {
     fn of(system: &'s System) -> Self {
         let model = system.model();
         let n = system.coordinates();

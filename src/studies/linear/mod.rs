@@ -24,6 +24,7 @@
 
 mod finer;
 mod frequencies;
+mod linearise;
 mod machine;
 mod model;
 mod modes;
@@ -35,9 +36,10 @@ mod state_space;
 mod tests;
 
 pub use frequencies::{MOST_NUMBERS, check as check_frequencies, usual as usual_frequencies};
+pub use linearise::linearise;
 pub use model::{LeftOut, LinearModel};
 pub use modes::{Mode, TreeModes};
 pub use peaks::ResponsePeak;
 pub use response::{FrequencyResponse, JudgedBy, PairResponse, ResponseQuestion, response};
 pub use signals::{InputSignal, OutputSignal, Signal};
-pub use state_space::{Linearisation, OperatingPoint, StateSpace, linearise};
+pub use state_space::{Linearisation, OperatingPoint, StateSpace};

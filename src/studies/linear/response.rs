@@ -220,20 +220,6 @@ struct Study<'s> {
     accuracy: f64,
 }
 
-impl LinearModel {
-    /// H at a frequency (Hz); `None` at a pole.
-    pub(in crate::studies) fn transfer(
-        &self,
-        input: &InputSignal,
-        output: &OutputSignal,
-        at: f64,
-    ) -> Option<C> {
-        let s = C::new(0.0, TAU * at);
-        let q = input.deviations(&self.trees[input.tree].equations, s)?;
-        Some(output.row.amplitude(s, &q, input.law()))
-    }
-}
-
 impl Study<'_> {
     fn pair(&self, (input, output): (&InputSignal, &OutputSignal)) -> PairResponse {
         let exact = |at: f64| match self.undamped_at(input.tree, at) {

@@ -95,6 +95,18 @@ impl InputSignal {
 }
 
 impl LinearModel {
+    /// H at a frequency (Hz); `None` at a pole.
+    pub(in crate::studies) fn transfer(
+        &self,
+        input: &InputSignal,
+        output: &OutputSignal,
+        at: f64,
+    ) -> Option<C> {
+        let s = C::new(0.0, std::f64::consts::TAU * at);
+        let q = input.deviations(&self.trees[input.tree].equations, s)?;
+        Some(output.row.amplitude(s, &q, input.law()))
+    }
+
     /// All inputs: of each tree its law, then the load at the output of each object.
     pub fn inputs(&self) -> Vec<InputSignal> {
         let of_tree = |(tree, own): (usize, &NamedTree)| {

@@ -1,16 +1,10 @@
 //! State space and second-order equations of a linear model.
 
-use super::machine::{has_motor, linearise_machine};
 use super::model::{LeftOut, LinearModel, NamedObject};
 use super::modes::TreeModes;
 use super::signals::{InputSignal, Signal};
-use crate::dynamics::system::System;
-use crate::fault::Fault;
 use nalgebra::DMatrix;
 use serde::Serialize;
-
-/// Most masses whose matrices are written: they grow with the square of their number.
-const MOST_MASSES: usize = 400;
 
 /// The linear equations of a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -103,38 +97,6 @@ fn as_rows_if_known<S: serde::Serializer>(
     }
 }
 
-/// Linearises the elastic objects of a system behind prescribed drives, or a machine in the
-/// steady turning of its motor.
-///
-/// # Errors
-/// No object has linear equations; there are too many masses; modes cannot be found.
-pub fn linearise(system: &System) -> Result<Linearisation, Vec<Fault>> {
-    if has_motor(system.model()) {
-        return linearise_machine(system);
-    }
-    let model = LinearModel::of(system)?;
-    let masses = model.masses();
-    if masses > MOST_MASSES {
-        let message =
-            format!("{masses} masses are more than matrices are written of: {MOST_MASSES}");
-        return Err(vec![Fault::new(
-            "",
-            message,
-            "give the objects fewer `masses`",
-        )]);
-    }
-    Ok(Linearisation {
-        case: "chain behind a prescribed drive",
-        validity: validity(&model),
-        operating_point: Vec::new(),
-        state_space: StateSpace::of(&model),
-        modes: TreeModes::of(&model)?,
-        eigenvalues: Vec::new(),
-        left_out: model.left_out,
-    }
-    .with_eigenvalues())
-}
-
 impl Linearisation {
     /// With the eigenvalues: the poles of the trees, else those of A.
     pub(super) fn with_eigenvalues(mut self) -> Self {
@@ -153,22 +115,6 @@ impl Linearisation {
         all.sort_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
         self.eigenvalues = all;
         self
-    }
-}
-
-/// When the equations of a model hold.
-fn validity(model: &LinearModel) -> String {
-    let objects = model.trees.iter().flat_map(|tree| &tree.objects);
-    let open: Vec<&str> = objects
-        .filter(|object| object.opens.is_some())
-        .map(|object| object.id.as_str())
-        .collect();
-    match open.is_empty() {
-        true => "valid for motions in which no contact separates".to_owned(),
-        false => format!(
-            "valid only while the contact of {} is closed",
-            open.join(", ")
-        ),
     }
 }
 
@@ -200,10 +146,10 @@ impl StateSpace {
             }
         }
         let mut inputs = Vec::new();
-        let mut columns: Vec<Column> = Vec::new();
+        let mut columns: Vec<InputColumn> = Vec::new();
         for input in model.inputs() {
             let first = first_of_tree[input.tree];
-            columns.extend(Column::all_of(&input, model, first, &mut inputs));
+            columns.extend(InputColumn::all_of(&input, model, first, &mut inputs));
         }
         let outputs = model.outputs();
         let mut b = DMatrix::zeros(2 * n, columns.len());
@@ -242,14 +188,14 @@ impl StateSpace {
 }
 
 /// An input column: the accelerations of masses that a unit of it gives.
-struct Column {
+struct InputColumn {
     tree: usize,
     /// Order of the derivative of the law; `None`: a load.
     law: Option<usize>,
     accelerations: Vec<(usize, f64)>,
 }
 
-impl Column {
+impl InputColumn {
     /// The columns of an input, whose names go into `names`: of a law three, of a load one.
     fn all_of(
         input: &InputSignal,
