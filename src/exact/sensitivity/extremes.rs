@@ -98,7 +98,11 @@ impl Places {
             row[order] = row[order + 1] - row[order];
         }
         row[ORDER] = row[ORDER - 1];
-        self.search(&row[..ORDER], length)
+        self.search(&row[..ORDER], length);
+        for at in &mut self.found {
+            *at = polished(signal, *at, length);
+        }
+        &self.found
     }
 
     fn search(&mut self, row: &[f64], length: f64) -> &[f64] {
@@ -131,6 +135,23 @@ impl Places {
             to.offer(stretch.from + at, value.scale(sign));
         }
     }
+}
+
+/// An extreme by Newton's method on the series itself, which is rounded less than its form over
+/// the whole step.
+fn polished<N: Number>(signal: &Signal<N>, mut at: f64, length: f64) -> f64 {
+    for _ in 0..2 {
+        let (mut slope, mut bend) = (0.0, 0.0);
+        for (order, term) in signal.iter().enumerate().skip(1).rev() {
+            bend = bend * at + slope;
+            slope = slope * at + order as f64 * term.value();
+        }
+        let step = slope / bend;
+        if step.abs() < 1e-3 * length {
+            at = (at - step).clamp(0.0, length);
+        }
+    }
+    at
 }
 
 /// Nothing of ±signal is above it.

@@ -460,6 +460,12 @@ impl Judge<'_> {
             return found;
         }
         let p = self.parameters[number].value;
+        let change = nearest(self.near, |slopes| slopes[number]);
+        if change.is_some_and(|step| step.abs() <= TAKEOVER * p.abs()) {
+            let why = "the sequence of events changes right here".to_owned();
+            found.verdict = Verdict::NotDifferentiable { why };
+            return found;
+        }
         let [below, above] = self.raw.slopes(number, p);
         let size = below.abs().max(above.abs());
         let condition = (p * size / value).abs();
