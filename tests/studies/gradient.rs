@@ -121,12 +121,17 @@ fn all_derivatives_of_the_reference_are_met_through_all_their_events() {
             for (own, parameter_name) in own.by.iter().zip(&names) {
                 let told = &reference["gradient"][parameter_name]["saltation"];
                 let mut expected = number(told);
-                let (scale, mut rounding) = (expected.abs(), 0.0);
+                // Of a result that hardly depends on a number less is known: its own rounding.
+                let value = number(&reference["value"]).abs();
+                let place = number(&inputs[*parameter_name]).abs();
+                let (scale, mut rounding) = (expected.abs(), 1e-15 * value / place);
                 if figure_name == "delta_end" {
                     // δ is small beside the law, whose angle is rounded.
                     let law = of_law(inputs, parameter_name);
                     expected += law;
-                    rounding = 1e-14 * law.abs().max(1.0);
+                    if law != 0.0 {
+                        rounding += 1e-14 * law.abs().max(1.0);
+                    }
                 }
                 let label = format!("{name}.{figure_name} by {parameter_name}");
                 let Some(slope) = own.derivative else {

@@ -365,14 +365,11 @@ impl RawFigure {
         if self.sign == 0.0 {
             return [self.places[0].2[number]; 2];
         }
-        let best = self.places.iter().map(|place| place.1);
-        let best = best.fold(f64::NEG_INFINITY, f64::max);
-        let rounding = ROUNDING * best.abs();
-        // Of what rounding cannot tell apart the last one, whose transients have decayed most.
-        let mut last_first = self.places.iter().rev();
-        let Some((_, _, slopes)) = last_first.find(|place| best - place.1 <= rounding) else {
+        let better = |a: &&Reached, b: &&Reached| a.1.total_cmp(&b.1);
+        let Some((_, best, slopes)) = self.places.iter().max_by(better) else {
             return [f64::NAN; 2];
         };
+        let rounding = ROUNDING * best.abs();
         let own = slopes[number];
         let (mut least, mut greatest) = (own, own);
         let size = if p == 0.0 { 1.0 } else { p.abs() };
