@@ -3,7 +3,7 @@
 use dam::ask::GradientQuestion;
 use dam::prelude::*;
 use dam::studies::Control;
-use dam::studies::gradient::{Gradient, Verdict};
+use dam::studies::gradient::{DerivativeVerdict, Gradient};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -213,7 +213,7 @@ fn bounces_without_damping_leave_nothing_determined() {
     assert!((130..145).contains(&found.events), "{}", found.events);
     let own = &found.figures[0].by[0];
     assert!(
-        matches!(own.verdict, Verdict::NotDetermined { .. }),
+        matches!(own.verdict, DerivativeVerdict::NotDetermined { .. }),
         "{own:?}"
     );
     assert!(own.derivative.is_none() && !found.is_answered());
@@ -228,7 +228,7 @@ fn counts_have_no_derivative_but_a_place_of_change() {
     for figure in &found.figures {
         let own = &figure.by[0];
         assert!(
-            matches!(own.verdict, Verdict::NotApplicable { .. }),
+            matches!(own.verdict, DerivativeVerdict::NotApplicable { .. }),
             "{figure:?}"
         );
         assert!(own.sequence_changes_at.is_some());
@@ -249,6 +249,11 @@ fn derivatives_of_other_laws_agree_with_differences_of_runs() {
             "indexing/residual_vibration",
             ["cam.motion.speed", "frame.position.cam.lift"],
             "frame.sigma",
+        ),
+        (
+            "valve_train/lift_off",
+            ["camshaft.motion.speed", "valve.position.cam.lift"],
+            "valve.delta_max",
         ),
         (
             "indexing/soft_shock",

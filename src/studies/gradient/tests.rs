@@ -1,7 +1,8 @@
 //! What is told of derivatives: sides, obstacles, the check by differences.
 
-use super::derive::{Subject, gradient_with};
-use super::{Gradient, Parameter, Place, Verdict};
+use super::derive::Subject;
+use super::question::gradient_with;
+use super::{DerivativeVerdict, Gradient, Parameter, Place};
 use crate::exact::sensitivity::EventTimes;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
@@ -69,7 +70,8 @@ fn the_check_confirms_the_rule_and_notices_a_wrong_one() {
     let check = wrong.check.as_ref().expect("check");
     assert!(check.failed > 0 && !wrong.is_answered(), "{check:?}");
     let refused = wrong.figures.iter().flat_map(|figure| &figure.by);
-    let refused = refused.filter(|one| matches!(one.verdict, Verdict::NotDetermined { .. }));
+    let refused =
+        refused.filter(|one| matches!(one.verdict, DerivativeVerdict::NotDetermined { .. }));
     assert!(refused.clone().count() > 0);
     assert!(refused.into_iter().all(|one| one.derivative.is_none()));
 }
@@ -101,7 +103,7 @@ fn an_edge_of_a_domain_has_one_side() {
     assert!(
         matches!(
             own.verdict,
-            Verdict::OneSided {
+            DerivativeVerdict::OneSided {
                 below: None,
                 above: Some(_)
             }
