@@ -242,6 +242,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--accuracy", &["5 %"]),
     ("--over", &["rocker.inertia=0.4,0.5"]),
     ("--figure", &["frequency.1", "rocker.delta_min"]),
+    ("--figures", &["rocker.delta_min"]),
     ("--x", &["rocker.stiffness=1e6:3e6:2"]),
     ("--y", &["rocker.inertia=0.4:0.5:2"]),
     ("--panels", &["rocker.inertia=0.4,0.5"]),
@@ -322,6 +323,7 @@ const MAY_CHANGE_NOTHING: &[(&str, &str, &str)] = &[
     ("--mean", "time", "the default"),
     ("--turn", "", "the default of a linkage that turns fully"),
     ("--record", "objects", "the default"),
+    ("--check", "", "the default with few parameters and events"),
     ("--periods", "3", "most cycles of a period that are tried"),
     ("--balance", "", "of a cycle whose work is balanced already"),
     (
