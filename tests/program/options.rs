@@ -243,6 +243,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--over", &["rocker.inertia=0.4,0.5"]),
     ("--figure", &["frequency.1", "rocker.delta_min"]),
     ("--figures", &["rocker.delta_min"]),
+    ("--by", &["rocker.stiffness"]),
     ("--x", &["rocker.stiffness=1e6:3e6:2"]),
     ("--y", &["rocker.inertia=0.4:0.5:2"]),
     ("--panels", &["rocker.inertia=0.4,0.5"]),
