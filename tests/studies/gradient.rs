@@ -251,11 +251,6 @@ fn derivatives_of_other_laws_agree_with_differences_of_runs() {
             "frame.sigma",
         ),
         (
-            "valve_train/lift_off",
-            ["camshaft.motion.speed", "valve.position.cam.lift"],
-            "valve.delta_max",
-        ),
-        (
             "indexing/soft_shock",
             ["cam.motion.speed", "lever.position.cam.lift"],
             "lever.delta_max",
