@@ -52,6 +52,7 @@ MORE = [
     ["find", *ROCKER, "--vary", "rocker.stiffness=1e6:3e6:5", "--minimize", "rocker.delta_abs"],
     ["find", *ROCKER, "--vary", "rocker.stiffness=1e6:3e6:5", "--subject", "frequency.1 <= 1 Hz"],
     ["gradient", *ROCKER, "--by", "rocker.inertia,rocker.stiffness", "--figures", "rocker.delta_max,rocker.pair.separations"],
+    ["gradient", "scenarios/rocker/two_masses.json", "--set", "rocker.damping_capacity=0", "--set", "run.duration=0.02", "--by", "rocker.damping_capacity"],
     ["cam", TAPPET, "--lift-off"],
     ["cam", "scenarios/cams/yarn_traverse.json", "--cutter", "10 mm"],
     ["forces", CRANK, "--compare-massless", "1,10"],

@@ -4,9 +4,9 @@ use crate::report::addresses::{parameter_words, result_words};
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table};
 use crate::report::quantity::{counted, significant, with_unit};
-use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
+use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::gradient::{
-    Derivative, FigureGradient, Gradient, Parameter, Verdict, sides, unit_of,
+    Derivative, DerivativeVerdict, FigureGradient, Gradient, Parameter, sides, unit_of,
 };
 
 /// Digits of derivatives.
@@ -34,7 +34,7 @@ pub fn findings<'a>(scene: &str, found: &Gradient, source: Source<'a>) -> Findin
             "derivatives by {}",
             parameters.collect::<Vec<_>>().join(", ")
         ),
-        answer: Some(Answer::answer(sort, headline, text)),
+        answer: Some(Verdict::answer(sort, headline, text)),
         warnings: Vec::new(),
         sections,
         source,
@@ -51,7 +51,7 @@ fn pairs(found: &Gradient) -> impl Iterator<Item = (&FigureGradient, &Parameter,
 
 fn verdict(found: &Gradient) -> (Sort, String, String) {
     let undetermined = pairs(found)
-        .filter(|one| matches!(one.2.verdict, Verdict::NotDetermined { .. }))
+        .filter(|one| matches!(one.2.verdict, DerivativeVerdict::NotDetermined { .. }))
         .count();
     let known = pairs(found)
         .filter(|one| one.2.derivative.is_some())
@@ -86,7 +86,7 @@ fn verdict(found: &Gradient) -> (Sort, String, String) {
 fn derivatives_table(found: &Gradient) -> Table {
     let row = |(figure, parameter, own): (&FigureGradient, &Parameter, &Derivative)| {
         let unit = unit_of(&figure.unit, &parameter.unit);
-        let stands = matches!(own.verdict, Verdict::Exact);
+        let stands = matches!(own.verdict, DerivativeVerdict::Exact);
         let number = |value: Option<f64>| {
             let words = |value: f64| significant(value, FEW);
             Cell::from(value.map_or_else(|| "–".to_owned(), words))
@@ -125,7 +125,7 @@ fn in_unit(own: &Derivative, unit: &str) -> String {
     };
     let side = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
     match &own.verdict {
-        Verdict::OneSided { below, above } => {
+        DerivativeVerdict::OneSided { below, above } => {
             format!("below {}, above {}", side(*below), side(*above))
         }
         _ => side(own.derivative),

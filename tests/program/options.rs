@@ -245,6 +245,8 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--accuracy", &["5 %"]),
     ("--over", &["rocker.inertia=0.4,0.5"]),
     ("--figure", &["frequency.1", "rocker.delta_min"]),
+    ("--figures", &["rocker.delta_min"]),
+    ("--by", &["rocker.stiffness"]),
     ("--x", &["rocker.stiffness=1e6:3e6:2"]),
     ("--y", &["rocker.inertia=0.4:0.5:2"]),
     ("--panels", &["rocker.inertia=0.4,0.5"]),
@@ -330,6 +332,7 @@ const MAY_CHANGE_NOTHING: &[(&str, &str, &str)] = &[
     ("--mean", "time", "the default"),
     ("--turn", "", "the default of a linkage that turns fully"),
     ("--record", "objects", "the default"),
+    ("--check", "", "the default with few parameters and events"),
     ("--periods", "3", "most cycles of a period that are tried"),
     ("--balance", "", "of a cycle whose work is balanced already"),
     (

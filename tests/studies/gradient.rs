@@ -3,7 +3,7 @@
 use dam::ask::GradientQuestion;
 use dam::prelude::*;
 use dam::studies::Control;
-use dam::studies::gradient::{Gradient, Verdict};
+use dam::studies::gradient::{DerivativeVerdict, Gradient};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -121,12 +121,17 @@ fn all_derivatives_of_the_reference_are_met_through_all_their_events() {
             for (own, parameter_name) in own.by.iter().zip(&names) {
                 let told = &reference["gradient"][parameter_name]["saltation"];
                 let mut expected = number(told);
-                let (scale, mut rounding) = (expected.abs(), 0.0);
+                // Of a result that hardly depends on a number less is known: its own rounding.
+                let value = number(&reference["value"]).abs();
+                let place = number(&inputs[*parameter_name]).abs();
+                let (scale, mut rounding) = (expected.abs(), 1e-15 * value / place);
                 if figure_name == "delta_end" {
                     // δ is small beside the law, whose angle is rounded.
                     let law = of_law(inputs, parameter_name);
                     expected += law;
-                    rounding = 1e-14 * law.abs().max(1.0);
+                    if law != 0.0 {
+                        rounding += 1e-14 * law.abs().max(1.0);
+                    }
                 }
                 let label = format!("{name}.{figure_name} by {parameter_name}");
                 let Some(slope) = own.derivative else {
@@ -208,7 +213,7 @@ fn bounces_without_damping_leave_nothing_determined() {
     assert!((130..145).contains(&found.events), "{}", found.events);
     let own = &found.figures[0].by[0];
     assert!(
-        matches!(own.verdict, Verdict::NotDetermined { .. }),
+        matches!(own.verdict, DerivativeVerdict::NotDetermined { .. }),
         "{own:?}"
     );
     assert!(own.derivative.is_none() && !found.is_answered());
@@ -223,25 +228,39 @@ fn counts_have_no_derivative_but_a_place_of_change() {
     for figure in &found.figures {
         let own = &figure.by[0];
         assert!(
-            matches!(own.verdict, Verdict::NotApplicable { .. }),
+            matches!(own.verdict, DerivativeVerdict::NotApplicable { .. }),
             "{figure:?}"
         );
         assert!(own.sequence_changes_at.is_some());
     }
 }
 
-/// Cams, linkages and other laws in pieces: the check by differences of runs holds.
+/// Cams and other laws in pieces, by numbers that move the pieces and by others: the check by
+/// differences of runs holds.
 #[test]
 fn derivatives_of_other_laws_agree_with_differences_of_runs() {
-    for (scene, by, figure) in [(
-        "cams/eccentric_jump",
-        "follower.inertia",
-        "follower.delta_max",
-    )] {
+    for (scene, by, figure) in [
+        (
+            "cams/eccentric_jump",
+            ["follower.inertia", "follower.stiffness"],
+            "follower.delta_max",
+        ),
+        (
+            "indexing/residual_vibration",
+            ["cam.motion.speed", "frame.position.cam.lift"],
+            "frame.sigma",
+        ),
+        (
+            "indexing/soft_shock",
+            ["cam.motion.speed", "lever.position.cam.lift"],
+            "lever.delta_max",
+        ),
+    ] {
         let scene = Scene::read(format!("scenarios/{scene}.json")).expect("scene");
-        let found = ask(&scene, &[by], &[figure.to_owned()], true);
+        let found = ask(&scene, &by, &[figure.to_owned()], true);
         let check = found.check.as_ref().expect("check");
-        assert_eq!((check.compared, check.failed), (1, 0), "{found:?}");
+        assert_eq!((check.compared, check.failed), (2, 0), "{found:?}");
+        assert!(check.worst < 1e-7, "{check:?}");
     }
 }
 
@@ -281,7 +300,7 @@ fn what_has_no_derivative_is_refused_with_the_reason() {
         (
             "rocker.inertia",
             "rocker.sigmma",
-            ["rocker.sigmma", "did you mean `rocker.sigma`?"],
+            ["rocker.sigmma", "did you mean `rocker.sigma`"],
         ),
         (
             "rocker.inertia",

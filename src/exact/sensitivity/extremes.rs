@@ -1,8 +1,8 @@
 //! Greatest values with their derivatives, and the places that may be greatest.
 //!
-//! The derivative of a greatest value is that of the signal where it is met: at a place where its
-//! slope vanishes the place itself adds nothing, at an event or at an end of the run the place
-//! moves along, and the number that stands there has its total derivative already.
+//! The derivative of a greatest value is that of the signal where it is met. Where the slope of the
+//! signal vanishes, a change of the place adds nothing. At an event or at an end of the run the
+//! place moves along: the number that stands there has its total derivative already.
 
 use super::expansion::{ORDER, Signal, TERMS, value_and_slope};
 use crate::math::number::Number;
@@ -80,11 +80,11 @@ pub(super) struct Stretch<N> {
 
 /// Changes of sign of polynomials, with room that is used again.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Places {
+pub(super) struct ExtremeSearch {
     found: Vec<f64>,
 }
 
-impl Places {
+impl ExtremeSearch {
     /// The places within 0 … length at which a signal changes its sign.
     pub(super) fn sign_changes<N: Number>(&mut self, signal: &Signal<N>, length: f64) -> &[f64] {
         self.search(&bernstein(signal, length), length)
@@ -98,7 +98,11 @@ impl Places {
             row[order] = row[order + 1] - row[order];
         }
         row[ORDER] = row[ORDER - 1];
-        self.search(&row[..ORDER], length)
+        self.search(&row[..ORDER], length);
+        for at in &mut self.found {
+            *at = polished(signal, *at, length);
+        }
+        &self.found
     }
 
     fn search(&mut self, row: &[f64], length: f64) -> &[f64] {
@@ -131,6 +135,23 @@ impl Places {
             to.offer(stretch.from + at, value.scale(sign));
         }
     }
+}
+
+/// An extreme by Newton's method on the series itself, which is rounded less than its form over
+/// the whole step.
+fn polished<N: Number>(signal: &Signal<N>, mut at: f64, length: f64) -> f64 {
+    for _ in 0..2 {
+        let (mut slope, mut bend) = (0.0, 0.0);
+        for (order, term) in signal.iter().enumerate().skip(1).rev() {
+            bend = bend * at + slope;
+            slope = slope * at + order as f64 * term.value();
+        }
+        let step = slope / bend;
+        if step.abs() < 1e-3 * length {
+            at = (at - step).clamp(0.0, length);
+        }
+    }
+    at
 }
 
 /// Nothing of ±signal is above it.
@@ -189,7 +210,7 @@ mod tests {
 
     #[test]
     fn extremes_and_changes_of_sign_are_those_of_the_sine() {
-        let (signal, mut places) = (wave(), Places::default());
+        let (signal, mut places) = (wave(), ExtremeSearch::default());
         let top = (std::f64::consts::FRAC_PI_2 - 0.2) / 3.0;
         let found = places.extremes(&signal, 0.7).to_vec();
         assert_eq!(found.len(), 1);

@@ -7,7 +7,8 @@
 
 use crate::exact::LAW_DEGREE;
 use crate::exact::from_model::{PrescribedMotion, formulas_end};
-use crate::math::chebyshev::{Nodes, combined, in_powers};
+use crate::math::chebyshev::{Nodes, in_powers};
+use crate::math::number::Number;
 use std::sync::LazyLock;
 
 /// Places at which L̈ of a part is looked at.
@@ -48,7 +49,7 @@ pub(crate) struct LawPart {
     pub(crate) value: f64,
     /// L̇ at the start.
     pub(crate) speed: f64,
-    /// L̈ in powers of σ.
+    /// L̈ in Chebyshev's polynomials of 2σ − 1. (In powers of σ their rounding would be great.)
     pub(crate) acceleration: [f64; LAW_DEGREE + 1],
     /// Size of the numbers whose rounding is in L̈.
     pub(crate) size: f64,
@@ -114,6 +115,17 @@ impl LawTable {
     }
 }
 
+/// The powers of σ of a sum of Chebyshev's polynomials of 2σ − 1.
+pub(super) fn powers_of_share<N: Number>(series: [N; LAW_DEGREE + 1]) -> [N; LAW_DEGREE + 1] {
+    let mut powers = [N::from(0.0); LAW_DEGREE + 1];
+    for (c, row) in series.iter().zip(&TABLES.powers) {
+        for (power, factor) in powers.iter_mut().zip(row) {
+            *power += c.scale(*factor);
+        }
+    }
+    powers
+}
+
 /// The number of equal parts in which a piece is a polynomial each, to rounding.
 fn parts_needed(at: &dyn Fn(f64) -> [f64; 4], start: f64, length: f64) -> Option<usize> {
     let mut count = 1;
@@ -141,14 +153,13 @@ fn part(at: &dyn Fn(f64) -> [f64; 4], start: f64, length: f64) -> (LawPart, f64)
     let series = TABLES.nodes.polynomial_through(&seen.map(|now| now[2]));
     let rest = series[LAW_DEGREE + 1..].iter();
     let rest = rest.fold(0.0, |most: f64, c| most.max(c.abs()));
-    let powers = combined(&series[..=LAW_DEGREE], &TABLES.powers);
     let [value, speed, ..] = at(start);
     let part = LawPart {
         start,
         length,
         value,
         speed,
-        acceleration: std::array::from_fn(|power| powers[power]),
+        acceleration: std::array::from_fn(|k| series[k]),
         size,
     };
     (part, rest)

@@ -1,6 +1,6 @@
 //! The numbers of a tree as variables: any kind of number in place of those of a problem.
 
-use super::law::{LawPart, LawTable};
+use super::law::{LawPart, LawTable, powers_of_share};
 use crate::exact::{LAW_DEGREE, Law, Refusal, TimeLoad, TreeMass, TreeProblem};
 use crate::math::number::Number;
 
@@ -40,6 +40,7 @@ pub(super) struct PartNumbers<N> {
     pub(super) length: N,
     pub(super) value: N,
     pub(super) speed: N,
+    /// L̈ in powers of the share of the part.
     pub(super) acceleration: [N; LAW_DEGREE + 1],
 }
 
@@ -72,7 +73,7 @@ impl<N: Number> LawNumbers<N> {
                     length: make(part.length, part.start + part.length),
                     value: make(part.value, value),
                     speed: make(part.speed, speed),
-                    acceleration: part.acceleration.map(|own| make(own, bend)),
+                    acceleration: powers_of_share(part.acceleration.map(|own| make(own, bend))),
                 });
                 Ok(Self::Parts(parts.collect()))
             }

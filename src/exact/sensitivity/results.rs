@@ -1,7 +1,7 @@
 //! What is found about the objects of a tree, each number with its derivatives.
 
 use super::expansion::{Expansion, Signal, TERMS, derivative, integral, value_and_slope};
-use super::extremes::{Greatest, Places, Stretch};
+use super::extremes::{ExtremeSearch, Greatest, Stretch};
 use super::numbers::TreeNumbers;
 use crate::exact::PairState;
 use crate::math::number::Number;
@@ -122,7 +122,7 @@ impl<N: Number> ObjectResults<N> {
         (numbers, object): (&TreeNumbers<N>, usize),
         (motion, pair): (&Expansion<N>, PairState),
         stretch: Stretch<N>,
-        places: &mut Places,
+        places: &mut ExtremeSearch,
     ) {
         let deviation = motion.deviation(numbers, object);
         places.offer((1.0, &deviation), stretch, &mut self.delta_max);
@@ -168,7 +168,7 @@ impl<N: Number> PairResults<N> {
         (numbers, mass): (&TreeNumbers<N>, usize),
         motion: &Expansion<N>,
         stretch: Stretch<N>,
-        places: &mut Places,
+        places: &mut ExtremeSearch,
     ) {
         let flanks = numbers.masses[mass].flanks.len();
         let clearances: Vec<Signal<N>> = (0..flanks)
@@ -206,7 +206,7 @@ impl<N: Number> PairResults<N> {
 }
 
 /// ∫|signal|dt: a place where the signal is zero may move, which adds nothing.
-fn area<N: Number>(signal: &Signal<N>, length: N, places: &mut Places) -> N {
+fn area<N: Number>(signal: &Signal<N>, length: N, places: &mut ExtremeSearch) -> N {
     let changes = places.sign_changes(signal, length.value()).to_vec();
     let mut sum = N::from(0.0);
     let mut from = N::from(0.0);

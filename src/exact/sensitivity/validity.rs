@@ -6,7 +6,7 @@
 //! the change −value/derivative of a parameter.
 
 use super::expansion::{Expansion, Signal, value_and_slope};
-use super::extremes::{Greatest, Places, Stretch};
+use super::extremes::{ExtremeSearch, Greatest, Stretch};
 use super::numbers::TreeNumbers;
 use crate::exact::PairState;
 use crate::math::number::Number;
@@ -45,12 +45,12 @@ const TOUCH: f64 = 1e-12;
 
 /// The pair functions of one mass since its last event.
 #[derive(Clone, Debug)]
-pub(super) struct Phase<N> {
+pub(super) struct PairPhase<N> {
     height: Greatest<N>,
     begun: bool,
 }
 
-impl<N: Number> Default for Phase<N> {
+impl<N: Number> Default for PairPhase<N> {
     fn default() -> Self {
         Self {
             height: Greatest::default(),
@@ -89,14 +89,14 @@ fn guards<N: Number>(
     }
 }
 
-impl<N: Number> Phase<N> {
+impl<N: Number> PairPhase<N> {
     /// Takes a stretch in; adds the events that it misses.
     pub(super) fn take(
         &mut self,
         tree: (&TreeNumbers<N>, usize),
         (motion, pair): (&Expansion<N>, PairState),
         stretch: Stretch<N>,
-        (places, found): (&mut Places, &mut Found<N>),
+        (places, found): (&mut ExtremeSearch, &mut Found<N>),
     ) {
         for (number, guard) in guards(tree, motion, pair).iter().enumerate() {
             if number == 0 {

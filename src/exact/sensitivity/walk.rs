@@ -1,10 +1,10 @@
 //! The motion from event to event.
 
 use super::expansion::{Expansion, REACH, Signal, TreeState, value_and_slope};
-use super::extremes::{Places, Stretch};
+use super::extremes::{ExtremeSearch, Stretch};
 use super::numbers::{LawNumbers, TreeNumbers};
 use super::results::ObjectResults;
-use super::validity::{Found, Phase, Touch};
+use super::validity::{Found, PairPhase, Touch};
 use crate::exact::{ExactRun, ExactSwitch, PairState};
 use crate::math::number::Number;
 use crate::units::shown;
@@ -93,9 +93,9 @@ struct Walk<'w, N> {
     state: TreeState<N>,
     motion: Expansion<N>,
     objects: Vec<ObjectResults<N>>,
-    phases: Vec<Phase<N>>,
+    phases: Vec<PairPhase<N>>,
     found: Found<N>,
-    places: Places,
+    places: ExtremeSearch,
     /// True: the last stretch ended with an event, or nothing has been gone through.
     after_event: bool,
     last_event: Option<N>,
@@ -124,9 +124,9 @@ impl<'w, N: Number> Walk<'w, N> {
             },
             motion: Expansion::new(numbers),
             objects: objects.collect(),
-            phases: vec![Phase::default(); numbers.masses.len()],
+            phases: vec![PairPhase::default(); numbers.masses.len()],
             found: Found::default(),
-            places: Places::default(),
+            places: ExtremeSearch::default(),
             after_event: true,
             last_event: None,
             step: 0.0,
@@ -415,7 +415,7 @@ impl<'w, N: Number> Walk<'w, N> {
         self.pass(length, true);
         for mass in 0..self.phases.len() {
             let pair = self.state.pairs[mass];
-            Phase::left(
+            PairPhase::left(
                 (self.numbers, mass),
                 (&self.motion, pair),
                 length,

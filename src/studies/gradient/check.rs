@@ -6,7 +6,7 @@
 
 use super::derive::{Change, Subject, nearest, values_at};
 use super::stencil::{RowDerivatives, Side};
-use super::{CheckSummary, Gradient, Verdict};
+use super::{CheckSummary, DerivativeVerdict, Gradient};
 
 /// Most parameters with which runs are repeated unasked.
 const MOST_PARAMETERS: usize = 5;
@@ -136,7 +136,7 @@ pub(super) fn check(
             if difference > allowed {
                 summary.failed += 1;
                 let why = format!("differences of runs disagree by {difference:.1e} of it");
-                place.verdict = Verdict::NotDetermined { why };
+                place.verdict = DerivativeVerdict::NotDetermined { why };
                 (place.derivative, place.elasticity) = (None, None);
             }
         }

@@ -1,10 +1,9 @@
 //! From parameters and results to derivatives.
 
-use super::check;
 use super::figures::{self, Found};
 use super::lowered::{Lowered, Place, Tree};
 use super::stencil::{self, RowDerivatives, Side};
-use super::{Derivative, FigureGradient, Gradient, Parameter, Verdict};
+use super::{Derivative, DerivativeVerdict, FigureGradient, Gradient, Parameter};
 use crate::dynamics::model::owner_of;
 use crate::dynamics::record::Figures;
 use crate::exact::ExactRun;
@@ -53,19 +52,21 @@ pub(crate) struct Subject<'s> {
     pub(crate) check: Option<bool>,
 }
 
-/// Derivatives of results of the run by parameters of the scene.
-///
-/// # Errors
-/// The scene is of a kind that has no derivatives here, or its run does not come to its end.
-pub(crate) fn gradient(subject: &Subject<'_>) -> Result<Gradient, Vec<Fault>> {
-    gradient_with(subject, EventTimes::Moving)
+/// Derivatives before they are checked, with what the check needs.
+pub(super) struct Unchecked {
+    pub(super) found: Gradient,
+    pub(super) rows: Vec<Option<RowDerivatives>>,
+    pub(super) near: Vec<Change>,
 }
 
-/// The same by the rule that is given.
-pub(super) fn gradient_with(
+/// Derivatives by the rule that is given, not checked as yet.
+///
+/// # Errors
+/// As of [`super::gradient`].
+pub(super) fn derivatives(
     subject: &Subject<'_>,
     events: EventTimes,
-) -> Result<Gradient, Vec<Fault>> {
+) -> Result<Unchecked, Vec<Fault>> {
     let lowered = Lowered::of(&subject.base, None)?;
     let base = base_run(&subject.base, subject.control)?;
     let rows: Vec<Option<RowDerivatives>> = (0..subject.parameters.len())
@@ -75,7 +76,7 @@ pub(super) fn gradient_with(
     let motions: Vec<Result<ExactRun, String>> = (lowered.trees.iter())
         .map(|tree| tree.run(lowered.end, settings, subject.control))
         .collect();
-    let mut motion = Motion {
+    let mut motion = DifferentiatedMotion {
         lowered: &lowered,
         runs: Vec::new(),
         rows: &rows,
@@ -102,7 +103,7 @@ pub(super) fn gradient_with(
         check: None,
     };
     for (raw, (address, unit)) in raw.iter().zip(&subject.figures) {
-        let judge = Judge {
+        let judge = FigureAssessment {
             raw,
             rows: &rows,
             near: &motion.near,
@@ -112,10 +113,8 @@ pub(super) fn gradient_with(
             .figures
             .push(judge.figure(address, unit, &base.figures));
     }
-    if subject.check.unwrap_or(check::is_cheap(&found)) {
-        check::check(subject, &mut found, &rows, &motion.near);
-    }
-    Ok(found)
+    let near = motion.near;
+    Ok(Unchecked { found, rows, near })
 }
 
 fn whole(why: &str) -> Fault {
@@ -176,7 +175,7 @@ pub(super) struct RawFigure {
     sign: f64,
     places: Vec<Reached>,
     /// Why there is nothing, and whether it has no derivative at all.
-    nothing: Option<Verdict>,
+    nothing: Option<DerivativeVerdict>,
     /// A time at which events coincide.
     coincident: Option<f64>,
     /// True: rounding decides whether there is a contact.
@@ -195,7 +194,7 @@ struct Touched {
     dipped: Option<Box<RawFigure>>,
 }
 
-struct Motion<'m> {
+struct DifferentiatedMotion<'m> {
     lowered: &'m Lowered,
     runs: Vec<ExactRun>,
     rows: &'m [Option<RowDerivatives>],
@@ -203,7 +202,7 @@ struct Motion<'m> {
     events: EventTimes,
 }
 
-impl Motion<'_> {
+impl DifferentiatedMotion<'_> {
     /// Adds the derivatives by K parameters from the first on.
     fn take<const K: usize>(
         &mut self,
@@ -261,7 +260,9 @@ impl Motion<'_> {
                     continue;
                 };
                 match &found {
-                    Err(why) => own.nothing = Some(Verdict::NotDetermined { why: why.clone() }),
+                    Err(why) => {
+                        own.nothing = Some(DerivativeVerdict::NotDetermined { why: why.clone() })
+                    }
                     Ok(found) => {
                         own.coincident = found.coincident;
                         own.grazing = run.grazing > 0;
@@ -310,12 +311,12 @@ impl RawFigure {
             Some(Found::Greatest(sign, places)) => (sign, places),
             Some(Found::Nothing(why)) => {
                 let why = why.to_owned();
-                self.nothing = Some(Verdict::NotApplicable { why });
+                self.nothing = Some(DerivativeVerdict::NotApplicable { why });
                 return;
             }
             None => {
                 let why = "its derivatives are not found here".to_owned();
-                self.nothing = Some(Verdict::NotApplicable { why });
+                self.nothing = Some(DerivativeVerdict::NotApplicable { why });
                 return;
             }
         };
@@ -365,14 +366,11 @@ impl RawFigure {
         if self.sign == 0.0 {
             return [self.places[0].2[number]; 2];
         }
-        let best = self.places.iter().map(|place| place.1);
-        let best = best.fold(f64::NEG_INFINITY, f64::max);
-        let rounding = ROUNDING * best.abs();
-        // Of what rounding cannot tell apart the last one, whose transients have decayed most.
-        let mut last_first = self.places.iter().rev();
-        let Some((_, _, slopes)) = last_first.find(|place| best - place.1 <= rounding) else {
+        let better = |a: &&Reached, b: &&Reached| a.1.total_cmp(&b.1);
+        let Some((_, best, slopes)) = self.places.iter().max_by(better) else {
             return [f64::NAN; 2];
         };
+        let rounding = ROUNDING * best.abs();
         let own = slopes[number];
         let (mut least, mut greatest) = (own, own);
         let size = if p == 0.0 { 1.0 } else { p.abs() };
@@ -392,14 +390,14 @@ impl RawFigure {
     }
 }
 
-struct Judge<'j> {
+struct FigureAssessment<'j> {
     raw: &'j RawFigure,
     rows: &'j [Option<RowDerivatives>],
     near: &'j [Change],
     parameters: &'j [Parameter],
 }
 
-impl Judge<'_> {
+impl FigureAssessment<'_> {
     fn figure(&self, address: &str, unit: &str, run: &Figures) -> FigureGradient {
         let told = run.value(address).ok();
         let own = match self.raw.nothing {
@@ -415,7 +413,7 @@ impl Judge<'_> {
             _ => false,
         };
         let by = (0..self.parameters.len()).map(|number| {
-            let nothing = |verdict: Verdict| Derivative {
+            let nothing = |verdict: DerivativeVerdict| Derivative {
                 verdict,
                 derivative: None,
                 elasticity: None,
@@ -428,7 +426,7 @@ impl Judge<'_> {
             if differs {
                 let [told, own] = [told, own].map(|one| shown(one.unwrap_or(f64::NAN), 10));
                 let why = format!("the run finds {told}, the motion with derivatives {own}");
-                return nothing(Verdict::NotDetermined { why });
+                return nothing(DerivativeVerdict::NotDetermined { why });
             }
             self.derivative(number, value.unwrap_or(0.0))
         });
@@ -442,7 +440,7 @@ impl Judge<'_> {
 
     fn derivative(&self, number: usize, value: f64) -> Derivative {
         let mut found = Derivative {
-            verdict: Verdict::Exact,
+            verdict: DerivativeVerdict::Exact,
             derivative: None,
             elasticity: None,
             agrees_to: None,
@@ -450,27 +448,33 @@ impl Judge<'_> {
         };
         let Some(row) = &self.rows[number] else {
             let why = "the equations of motion change abruptly here, or cannot be stated beside it";
-            found.verdict = Verdict::NotDifferentiable {
+            found.verdict = DerivativeVerdict::NotDifferentiable {
                 why: why.to_owned(),
             };
             return found;
         };
         if let Some(why) = self.obstacle() {
-            found.verdict = Verdict::NotDifferentiable { why };
+            found.verdict = DerivativeVerdict::NotDifferentiable { why };
             return found;
         }
         let p = self.parameters[number].value;
+        let change = nearest(self.near, |slopes| slopes[number]);
+        if change.is_some_and(|step| step.abs() <= TAKEOVER * p.abs()) {
+            let why = "the sequence of events changes right here".to_owned();
+            found.verdict = DerivativeVerdict::NotDifferentiable { why };
+            return found;
+        }
         let [below, above] = self.raw.slopes(number, p);
         let size = below.abs().max(above.abs());
         let condition = (p * size / value).abs();
         if !size.is_finite() || (value != 0.0 && condition > UNDETERMINED) {
             let condition = shown(condition, 2);
             let why = format!("its condition number is {condition}: rounding decides its digits");
-            found.verdict = Verdict::NotDetermined { why };
+            found.verdict = DerivativeVerdict::NotDetermined { why };
             return found;
         }
         let (verdict, derivative) = match row.side {
-            Side::Both if below == above => (Verdict::Exact, Some(above)),
+            Side::Both if below == above => (DerivativeVerdict::Exact, Some(above)),
             Side::Both => (both_sides(Some(below), Some(above)), None),
             Side::Above => (both_sides(None, Some(above)), Some(above)),
             Side::Below => (both_sides(Some(below), None), Some(below)),
@@ -510,8 +514,8 @@ impl Judge<'_> {
     }
 }
 
-fn both_sides(below: Option<f64>, above: Option<f64>) -> Verdict {
-    Verdict::OneSided { below, above }
+fn both_sides(below: Option<f64>, above: Option<f64>) -> DerivativeVerdict {
+    DerivativeVerdict::OneSided { below, above }
 }
 
 /// The least step in a direction after which a change is met, to first order.

@@ -1,6 +1,6 @@
 //! Derivatives as a JSON document and as rows.
 
-use super::{Derivative, FigureGradient, Gradient, Parameter, Verdict};
+use super::{Derivative, DerivativeVerdict, FigureGradient, Gradient, Parameter};
 use serde_json::{Map, Value, json};
 
 impl Gradient {
@@ -47,13 +47,13 @@ fn of_pair(figure: &FigureGradient, parameter: &Parameter, own: &Derivative) -> 
 }
 
 /// Derivatives on the two sides where they differ.
-pub(crate) fn sides(verdict: &Verdict) -> [Option<f64>; 2] {
+pub(crate) fn sides(verdict: &DerivativeVerdict) -> [Option<f64>; 2] {
     match verdict {
-        Verdict::OneSided { below, above } => [*below, *above],
-        Verdict::Exact
-        | Verdict::NotDifferentiable { .. }
-        | Verdict::NotDetermined { .. }
-        | Verdict::NotApplicable { .. } => [None, None],
+        DerivativeVerdict::OneSided { below, above } => [*below, *above],
+        DerivativeVerdict::Exact
+        | DerivativeVerdict::NotDifferentiable { .. }
+        | DerivativeVerdict::NotDetermined { .. }
+        | DerivativeVerdict::NotApplicable { .. } => [None, None],
     }
 }
 
