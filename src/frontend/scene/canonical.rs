@@ -151,7 +151,5 @@ mod tests {
         let all = found.number_addresses();
         assert!(all.iter().all(|one| found.number(one).is_ok()), "{all:?}");
         assert!(all.contains(&"arm.loads.closing.constant".to_owned()));
-        println!("{all:?}");
-        println!("{}", found.canonical);
     }
 }
