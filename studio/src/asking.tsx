@@ -272,7 +272,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
             This scene does not fit: {chosen.why}
           </p>
         )}
-        {open && chosen && !chosen.why && (
+        {open && chosen && !chosen.why && chosen.fields.length > 0 && (
           <details
             key={`options ${chosen.command}`}
             class="options"

@@ -6,7 +6,11 @@ import type { Part, Parts } from "./kinds";
 import { find, laid, type Steps } from "./tree";
 
 type Motion = "rotation" | "swing" | "travel";
-export type Begins = Record<Motion, Record<string, unknown>> & { gives: Motion };
+// Null: it cannot hang on what moves so.
+export type Begins = Record<Exclude<Motion, "rotation">, Record<string, unknown> | null> & {
+  rotation: Record<string, unknown>;
+  gives: Motion;
+};
 
 // What an object is hung on: the first of its further outputs, else itself; with the motion there.
 function hookOf(object: Outline, parts: Parts): Hook {
@@ -73,7 +77,7 @@ const idsOf = ({ root }: Steps): string[] => find(root, ["objects"])?.members.ma
 
 function set(steps: Steps, part: Part, { output, motion }: Hook): string {
   const id = nameOf(part, idsOf(steps));
-  steps.set(["objects", id], laid(hung(part.begins[motion], output), steps.edits.text, 2));
+  steps.set(["objects", id], laid(hung(part.begins[motion] ?? part.begins.rotation, output), steps.edits.text, 2));
   return id;
 }
 
@@ -86,7 +90,8 @@ export const hang = (steps: Steps, kind: string, parts: Parts, hook: Hook): stri
 
 // Puts a part down behind an object, or behind a drive that comes with it: its name.
 export function put(steps: Steps, part: Part, parts: Parts, driver: Outline | null): string {
-  if (driver) return set(steps, part, hookOf(driver, parts));
+  const hook = driver && hookOf(driver, parts);
+  if (hook && part.begins[hook.motion]) return set(steps, part, hook);
   const output = isHung(part.begins.rotation) ? driveOf(steps, parts) : "";
   return set(steps, part, { output, motion: "rotation" });
 }

@@ -58,7 +58,7 @@ export const TOOLS: Record<Tool, Use> = {
     two: true,
     once: ({ joint, link }) => !joint && link !== null,
     act: handed,
-    help: "Click a link, and a lever hangs on its angle; drag from a joint, and a slide hangs on its travel in that direction.",
+    help: "Click a link: a lever follows its angle. Drag from a joint: a slide follows its travel in that direction.",
   },
   delete: {
     words: "Delete",

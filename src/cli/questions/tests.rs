@@ -36,7 +36,8 @@ fn forms_are_the_options_of_the_commands_and_none_names_a_file() {
             tab.command
         );
         let all = fields::of(tab.command);
-        assert!(!all.is_empty());
+        // All that linear equations are asked of is in the scene.
+        assert!(!all.is_empty() || tab.command == "linearise");
         for field in all {
             assert!(!field.help.is_empty(), "{}", field.name);
             let files = [

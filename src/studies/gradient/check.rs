@@ -70,7 +70,8 @@ pub(super) fn check(
     };
     let both = |k: usize| rows[k].as_ref().is_some_and(|row| row.side == Side::Both);
     let scale = |k: usize| match subject.parameters[k].value.abs() {
-        0.0 => rows[k].as_ref().map_or(0.0, |row| row.step),
+        // By itself it goes as far as its own derivatives were taken.
+        0.0 => rows[k].as_ref().map_or(0.0, |row| row.step / ALONE),
         value => value,
     };
     let count = subject.parameters.len();
