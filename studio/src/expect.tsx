@@ -105,7 +105,7 @@ export function Expectations({ link, scene, isAt, edit, program }: Props) {
             </b>
             {failed.length > 0 && <span class="soft"> not {failed.join(", ")}</span>}
           </summary>
-          <div class="expect-scroll">
+          <div class="expect-scroll" tabindex={0} role="region" aria-label="expected results">
             <table>
               <thead>
                 <tr>

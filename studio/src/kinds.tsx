@@ -102,9 +102,9 @@ export function Palette({
         )}
       </div>
       <div class="parts">
-        {kinds.length > 0 && <h3>Kinds</h3>}
+        {kinds.length > 0 && <h2>Kinds</h2>}
         {kinds.map(row)}
-        {objects.length > 0 && <h3>Catalogue</h3>}
+        {objects.length > 0 && <h2>Catalogue</h2>}
         {objects.map(row)}
         {!first && <p class="soft">Nothing is called so.</p>}
       </div>

@@ -16,6 +16,19 @@ interface Props {
   choose: (id: string) => void;
 }
 
+// Wide equations scroll by the keyboard, and a mass is called by what stands on it.
+function reachable(place: HTMLElement): void {
+  for (const one of place.querySelectorAll<HTMLElement>(".equation")) {
+    one.tabIndex = 0;
+    one.setAttribute("role", "group");
+    one.setAttribute("aria-label", "equation");
+  }
+  for (const one of place.querySelectorAll<SVGElement>("[data-mass]")) {
+    const shown = [...one.querySelectorAll("text")].map((text) => text.textContent).join(" ");
+    one.setAttribute("aria-label", `${shown}: ${one.getAttribute("aria-label")}`);
+  }
+}
+
 export function Models({ link, scene, version, kind, choose }: Props) {
   const place = useRef<HTMLElement>(null!),
     asking = useRef(false),
@@ -33,7 +46,10 @@ export function Models({ link, scene, version, kind, choose }: Props) {
       try {
         const found = await link.get(`/api/model?scene=${encodeURIComponent(scene)}`);
         if (gone) return;
-        if (found) place.current.innerHTML = found[kind];
+        if (found) {
+          place.current.innerHTML = found[kind];
+          reachable(place.current);
+        }
         setTold(
           found
             ? ""
@@ -71,6 +87,9 @@ export function Models({ link, scene, version, kind, choose }: Props) {
   return (
     <div
       class={`models ${kind}`}
+      tabindex={0}
+      role="region"
+      aria-label={kind === "model" ? "dynamic model" : "equations"}
       onPointerOver={lit}
       onPointerLeave={() => {
         for (const node of place.current.querySelectorAll(".lit")) node.classList.remove("lit");
