@@ -204,14 +204,14 @@ fn named_figures(
     for figure in figures {
         match figure_unit(figure, model) {
             Ok(unit) => found.push((figure.clone(), unit)),
-            Err(fault) => wrong.push(fault),
+            Err(fault) => wrong.push(*fault),
         }
     }
     found
 }
 
 /// The unit of a result; a fault where there is none of this name that has derivatives.
-fn figure_unit(figure: &str, model: &Model) -> Result<String, Diagnostic> {
+fn figure_unit(figure: &str, model: &Model) -> Result<String, Box<Diagnostic>> {
     let elastic = model.objects.iter().filter(|part| !part.links.is_empty());
     let ids: Vec<&str> = elastic.map(|part| part.id.as_str()).collect();
     let own = ids.iter().find(|id| {
@@ -234,10 +234,10 @@ fn figure_unit(figure: &str, model: &Model) -> Result<String, Diagnostic> {
             .iter()
             .flat_map(|id| names().iter().map(move |name| format!("{id}.{name}")));
         let all: Vec<String> = all.collect();
-        match what.contains("did you mean") {
+        Box::new(match what.contains("did you mean") {
             true => error(what),
             false => error(what).maybe_hint(did_you_mean(figure, all.iter().map(String::as_str))),
-        }
+        })
     })?;
     match own {
         Some(_) => Ok(unit),
@@ -247,7 +247,7 @@ fn figure_unit(figure: &str, model: &Model) -> Result<String, Diagnostic> {
                 [] => "derivatives are those of elastic objects, and there is none".to_owned(),
                 [first, ..] => format!("name one of an elastic object: {first}.delta_max"),
             };
-            Err(error(message).hint(hint))
+            Err(Box::new(error(message).hint(hint)))
         }
     }
 }

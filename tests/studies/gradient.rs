@@ -151,7 +151,6 @@ fn all_derivatives_of_the_reference_are_met_through_all_their_events() {
             }
         }
     }
-    eprintln!("{compared} derivatives, worst {worst:e}");
     assert!(
         misses.is_empty(),
         "{compared} compared\n{}",

@@ -49,11 +49,14 @@ pub(super) fn is_cheap(found: &Gradient) -> bool {
     found.parameters.len() <= MOST_PARAMETERS && found.events <= MOST_EVENTS
 }
 
+/// A derivative along a direction and its error; `None`: the result has no value there.
+type Slope = Option<(f64, f64)>;
+
 /// A direction of the parameters with the differences of all results along it.
 struct Differences {
     direction: Vec<f64>,
-    /// Derivative and its error, per result, where they are resolved best.
-    slopes: Vec<Option<(f64, f64)>>,
+    /// Per result, where they are resolved best.
+    slopes: Vec<Slope>,
 }
 
 /// Compares the derivatives with differences; those that differ are no longer answers.
@@ -175,7 +178,7 @@ impl Checker<'_> {
         let slope = |slopes: &[f64]| slopes.iter().zip(&direction).map(|(s, d)| s * d).sum();
         let free = nearest(self.near, slope).map_or(f64::INFINITY, f64::abs);
         let mut step = most.min(WAY * free);
-        let mut best: Option<Vec<Option<(f64, f64)>>> = None;
+        let mut best: Option<Vec<Slope>> = None;
         let mut levels = 0;
         for _ in 0..SHORTENED {
             if let Some(slopes) = self.with_step(&direction, step, side) {
@@ -193,12 +196,7 @@ impl Checker<'_> {
         best.map(|slopes| Differences { direction, slopes })
     }
 
-    fn with_step(
-        &mut self,
-        direction: &[f64],
-        step: f64,
-        side: Side,
-    ) -> Option<Vec<Option<(f64, f64)>>> {
+    fn with_step(&mut self, direction: &[f64], step: f64, side: Side) -> Option<Vec<Slope>> {
         let places = match side {
             Side::Both => [-2.0, -1.0, 0.0, 1.0, 2.0],
             Side::Above => [0.0, 1.0, 2.0, 3.0, 4.0],
@@ -242,7 +240,7 @@ impl Checker<'_> {
 }
 
 /// Of two differences the one that is known better.
-fn better((one, other): (Option<(f64, f64)>, Option<(f64, f64)>)) -> Option<(f64, f64)> {
+fn better((one, other): (Slope, Slope)) -> Slope {
     match (one, other) {
         (Some(a), Some(b)) if a.1 <= b.1 => Some(a),
         (_, Some(b)) => Some(b),
