@@ -61,7 +61,7 @@ pub(crate) struct TreeResults<N> {
 /// Goes through a motion that is known, with numbers that may carry derivatives.
 ///
 /// # Errors
-/// As of [`super::results`].
+/// As of [`super::results()`].
 pub(super) fn follow<N: Number>(
     numbers: &TreeNumbers<N>,
     run: &ExactRun,

@@ -1,7 +1,7 @@
 //! Derivatives of the results of a run by numbers of the scene.
 //!
 //! The equations of motion between two events are differentiated along with the motion, and the
-//! instants of the events move with the numbers ([`crate::exact::sensitivity`]). The derivative of
+//! instants of the events move with the numbers (`crate::exact::sensitivity`). The derivative of
 //! a greatest value is that of the signal where it is greatest (Danskin 1967); of the mean of |δ|
 //! it is the mean of sign(δ)·δ_p.
 //!
@@ -15,13 +15,13 @@
 //!
 //! - The values of the results agree with those of the run, which are found in another way.
 //! - Derivatives agree with differences of runs along a random direction of the parameters
-//!   ([`check`]). Parameters that hardly matter in that direction are checked by themselves.
+//!   (`check`). Parameters that hardly matter in that direction are checked by themselves.
 //!
 //! # Limits
 //!
 //! The whole scene must be one that is propagated exactly: masses and links behind prescribed
 //! motions, under loads that are constant, linear in the motion or tables over time. Derivatives of
-//! the numbers of the equations by those of the scene are differences of order 8 ([`stencil`]), good
+//! the numbers of the equations by those of the scene are differences of order 8 (`stencil`), good
 //! to some 10⁻¹³ of their sizes. A derivative with an elasticity below 10⁻¹⁰ is mostly their rounding.
 //! All else is refused with the reason.
 
