@@ -4,7 +4,7 @@
 //! elastic objects, addresses of figures. A point then decodes only what varies
 //! (`scene::Variation`): plain numbers of chains are set in place, and the rigid motion, the
 //! samples of the laws and the exact propagation of the laws are kept as long as the laws are
-//! the same ([`mod@bench`]). It is lowered, frozen, run for the figures that are asked for, and
+//! the same (`bench`). It is lowered, frozen, run for the figures that are asked for, and
 //! judged ([`Verdict`]). A figure is found as a run finds it; where a tree is propagated
 //! exactly, what the figures do not need is left out.
 //!
