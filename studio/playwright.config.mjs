@@ -7,7 +7,7 @@ export default defineConfig({
   outputDir: "test-results",
   timeout: 60_000,
   // What hangs is told, and does not hold up all that comes behind it.
-  globalTimeout: 15 * 60_000,
+  globalTimeout: 22 * 60_000,
   expect: { timeout: 15_000 },
   workers: 1,
   // A loaded machine may hold a page up for seconds. What passes at a second try is listed as flaky.

@@ -22,7 +22,10 @@ const tab = (page, name) => page.getByRole("tab", { name, exact: true }).click()
 // What axe finds, one line for each rule: its weight, the elements. A box of the graph shortens the
 // words that its name has whole; of a mass axe joins the two lines that its name has one after the other.
 async function found(page, view) {
-  const { violations } = await new AxeBuilder({ page }).exclude(".cm-editor").analyze();
+  const axe = new AxeBuilder({ page }).exclude(".cm-editor"),
+    isDark = await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches);
+  // In the dark colours alone are others.
+  const { violations } = await (isDark ? axe.withRules(["color-contrast"]) : axe).analyze();
   return violations.flatMap(({ id, impact, nodes }) => {
     if (impact === "minor") return [];
     const all = nodes.filter(
