@@ -7,10 +7,10 @@ it and answers.
     run = dam.load("rocker.json").run()
     print(run.figures["rocker.delta_abs"])
 
-`Scene` describes, and answers `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`, `forces`,
-`steady`, `linearise`, `response`, `orders`, `cam`, `law`, `compare_laws`, `find`, `gradient`, `verify`, `reduce`; `law` and
-`stroke` ask of laws of motion by themselves. `dam.kinds` has everything that a scene holds
-as classes, `dam.own` takes Python functions into it.
+`Scene` describes, and answers `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`,
+`forces`, `steady`, `linearise`, `response`, `orders`, `cam`, `law`, `compare_laws`, `find`,
+`gradient`, `verify`, `reduce`; `law` and `stroke` ask of laws of motion by themselves.
+`dam.kinds` has everything that a scene holds as classes, `dam.own` takes Python functions into it.
 """
 
 from __future__ import annotations
