@@ -3,11 +3,11 @@
 import { hold, own, pathOf, type Board, type Spot } from "./build";
 import { freeName } from "./graph";
 import { far, placed, type Pair } from "./linkage";
-import { driveOf, hang } from "./starter";
+import { driveOf, addBehind } from "./starter";
 import { find, member, type Steps, written } from "./tree";
 
 // A drive of its own for a pin, beside those that there are.
-export function joined(steps: Steps, board: Board, { joint }: Spot): string | null {
+export function driveAdded(steps: Steps, board: Board, { joint }: Spot): string | null {
   const wrong = own(steps, board),
     isThere = ({ on }: Pair) => joint && far(placed(board.pose, on.link, on.at), joint.at) < board.grid / 100,
     pins = board.sketch.pairs.filter((one) => one.direction === null && isThere(one)),
@@ -40,7 +40,7 @@ export function joined(steps: Steps, board: Board, { joint }: Spot): string | nu
 }
 
 // What hangs on a linkage: a lever on the angle of a link, a slide on the travel of a point of it.
-export function handed(steps: Steps, board: Board, from: Spot, to: Spot): string | null {
+export function outputAdded(steps: Steps, board: Board, from: Spot, to: Spot): string | null {
   const wrong = own(steps, board),
     taken = find(steps.root, pathOf(board, "outputs"))?.members.map((one) => one.name) ?? [];
   if (wrong) return wrong;
@@ -52,7 +52,7 @@ export function handed(steps: Steps, board: Board, from: Spot, to: Spot): string
   if (!from.joint) {
     if (from.link === null) return "Click a link, or drag from a joint.";
     const name = board.sketch.links[from.link]!.name;
-    hang(steps, "rocker", board.parts, { output: output(name, { angle: name }), motion: "swing" });
+    addBehind(steps, "rocker", board.parts, { output: output(name, { angle: name }), motion: "swing" });
     return null;
   }
   const moves = from.joint.points.some((point) => point.link === null) === false;
@@ -62,6 +62,6 @@ export function handed(steps: Steps, board: Board, from: Spot, to: Spot): string
   const degrees = 5 * Math.round((Math.atan2(to.at[1] - from.at[1], to.at[0] - from.at[0]) * 36) / Math.PI),
     { point, letter } = hold(steps, board, from)!,
     direction = degrees ? { direction: `${degrees} deg` } : {};
-  hang(steps, "slider", board.parts, { output: output(letter, { point, ...direction }), motion: "travel" });
+  addBehind(steps, "slider", board.parts, { output: output(letter, { point, ...direction }), motion: "travel" });
   return null;
 }

@@ -6,7 +6,7 @@ import type { Part, Parts } from "./kinds";
 import { find, laid, type Steps } from "./tree";
 
 type Motion = "rotation" | "swing" | "travel";
-// Null: it cannot hang on what moves so.
+// Null: it cannot be driven by what moves so.
 export type Begins = Record<Exclude<Motion, "rotation">, Record<string, unknown> | null> & {
   rotation: Record<string, unknown>;
   gives: Motion;
@@ -85,7 +85,7 @@ function set(steps: Steps, part: Part, { output, motion }: Hook): string {
 export const driveOf = (steps: Steps, parts: Parts): string => set(steps, partOf("drive", parts), NO_DRIVER);
 
 // Puts an object of a kind down where it hangs: its name.
-export const hang = (steps: Steps, kind: string, parts: Parts, hook: Hook): string =>
+export const addBehind = (steps: Steps, kind: string, parts: Parts, hook: Hook): string =>
   set(steps, partOf(kind, parts), hook);
 
 // Puts a part down behind an object, or behind a drive that comes with it: its name.

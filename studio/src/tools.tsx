@@ -1,7 +1,7 @@
 // The tools of a drawing: what a press in it does.
 
 import { grounded, guided, linked, pointed, removed, type Board, type Spot } from "./build";
-import { handed, joined } from "./ends";
+import { outputAdded, driveAdded } from "./ends";
 import type { Steps } from "./tree";
 
 export type Tool = "select" | "ground" | "link" | "point" | "guide" | "drive" | "output" | "delete";
@@ -50,14 +50,14 @@ export const TOOLS: Record<Tool, Use> = {
   drive: {
     words: "Drive",
     two: false,
-    act: (steps, board, from) => joined(steps, board, from),
+    act: (steps, board, from) => driveAdded(steps, board, from),
     help: "Click a pin: a drive of its own turns it, beside those that there are.",
   },
   output: {
     words: "Output",
     two: true,
     once: ({ joint, link }) => !joint && link !== null,
-    act: handed,
+    act: outputAdded,
     help: "Click a link: a lever follows its angle. Drag from a joint: a slide follows its travel in that direction.",
   },
   delete: {

@@ -78,7 +78,14 @@ fn answer(found: &FrequencyResponse) -> Verdict {
         }
         None => "No gain has a peak at these frequencies.".to_owned(),
     };
-    let sort = match found.warnings.is_empty() {
+    // A peak above the frequency up to which the model is right is none of the machine.
+    let is_right = first.is_none_or(|(pair, peak)| {
+        pair.right_everywhere
+            || pair
+                .right_up_to
+                .is_some_and(|up_to| peak.frequency <= up_to)
+    });
+    let sort = match found.warnings.is_empty() && is_right {
         true => Sort::Recommended,
         false => Sort::Numerical,
     };
