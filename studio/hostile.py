@@ -283,7 +283,7 @@ def share(times, part):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("dam", help="the program, built with --features studio")
+    parser.add_argument("dam", help="the program")
     parser.add_argument("--count", type=int, default=100000)
     parser.add_argument("--threads", type=int, default=6)
     parser.add_argument("--within", type=float, default=100, help="milliseconds for 95 %% of the answers")

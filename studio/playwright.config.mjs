@@ -9,7 +9,8 @@ export default defineConfig({
   // What hangs is told, and does not hold up all that comes behind it.
   globalTimeout: 22 * 60_000,
   expect: { timeout: 15_000 },
-  workers: 1,
+  // Each test has a program, a folder and a browser window of its own.
+  workers: 2,
   // A loaded machine may hold a page up for seconds. What passes at a second try is listed as flaky.
   retries: 2,
   reporter: "list",

@@ -140,7 +140,6 @@ fn parse(document: &str, line: usize, text: &str) -> Shown {
         .map_or(0, |number| number.trim().parse().unwrap());
     let arguments = command
         .strip_prefix("cargo run --release -- ")
-        .or_else(|| command.strip_prefix("cargo run --release --features studio -- "))
         .or_else(|| command.strip_prefix("dam "))
         .unwrap_or_else(|| panic!("{document}:{line}: a test cannot run `{text}`"));
     Shown {

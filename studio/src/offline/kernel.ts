@@ -1,15 +1,16 @@
 // The program as it lies in the page: WebAssembly, compressed, as text.
 
+import { XzReadableStream } from "xz-decompress";
+
 const bytes = (text: string): Uint8Array => Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
 
-const unpacked = (bytes: Uint8Array, form: CompressionFormat): Response =>
-  new Response(new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream(form)));
+const stream = (bytes: Uint8Array) => new Blob([bytes as BlobPart]).stream();
 
 export async function kernel(): Promise<WebAssembly.Module> {
   const element = document.getElementById("kernel");
   const packed = bytes(element?.textContent?.trim() ?? "");
   element?.remove();
-  return WebAssembly.compile(await unpacked(packed, "gzip").arrayBuffer());
+  return WebAssembly.compile(await new Response(new XzReadableStream(stream(packed))).arrayBuffer());
 }
 
 // What this browser lacks; null: nothing.
@@ -22,8 +23,8 @@ export function lack(): string | null {
 
 // A scene in an address: compressed, in letters that an address may have.
 export async function packedScene(text: string): Promise<string> {
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
-  const packed = new Uint8Array(await new Response(stream).arrayBuffer());
+  const deflated = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const packed = new Uint8Array(await new Response(deflated).arrayBuffer());
   let letters = "";
   for (const byte of packed) letters += String.fromCharCode(byte);
   return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
@@ -31,7 +32,8 @@ export async function packedScene(text: string): Promise<string> {
 
 // The text again. Of an address that is too long when it is unpacked, or is none, it throws.
 export async function unpackedScene(letters: string): Promise<string> {
-  const reader = unpacked(bytes(letters.replaceAll("-", "+").replaceAll("_", "/")), "deflate-raw").body!.getReader();
+  const packed = stream(bytes(letters.replaceAll("-", "+").replaceAll("_", "/")));
+  const reader = packed.pipeThrough(new DecompressionStream("deflate-raw")).getReader();
   const parts: Uint8Array[] = [];
   for (let size = 0; ; ) {
     const { done, value } = await reader.read();
