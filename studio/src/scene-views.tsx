@@ -1,6 +1,6 @@
 // The scene in its views: objects, drawing, text, dynamic model, equations; its faults below.
 
-import { Drawing } from "./drawing";
+import { Drawing } from "./drawing/drawing";
 import { Host } from "./host";
 import { Models } from "./models";
 import { Objects } from "./objects";

@@ -177,6 +177,10 @@ for (const colorScheme of ["light", "dark"]) {
           await page.keyboard.type('"shafd",', { delay: 5 });
           await expect(page.locator(".faults button.error")).toBeVisible();
         },
+        history: async () => {
+          await page.getByRole("button", { name: "History" }).click();
+          await page.locator(".history-steps [aria-current=step]").waitFor();
+        },
         "a fault at its object": () => tab(page, "Objects"),
         "a fault at its field": () => box(page, "rocker").click(),
         "a changed file": async () => {

@@ -312,3 +312,69 @@ test("of a frame that floats the inputs tell the place, its parts are dragged", 
   const [dx, dy] = offs(tilted, await places(page))["slide.origin"];
   expect(Math.atan2(-dy, -dx)).toBeCloseTo(Math.PI / 9, 9);
 });
+
+test("lengths of a link are typed at it; a formula is held back and shown", async ({ page }) => {
+  await shown(page, "scenarios/linkages/slider_crank_spring.json");
+  const file = await textOf(page),
+    rod = page.locator(".sketch .body[data-link=rod]"),
+    length = page.getByLabel("length A–B of rod", { exact: true });
+  // By keys: a digit at the link begins its length.
+  await rod.focus();
+  await page.keyboard.type("1.2 m");
+  await expect(length).toHaveValue("1.2 m");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  await expect.poll(() => textOf(page)).not.toBe(file);
+  const far = async () => {
+    const all = await places(page);
+    return Math.hypot(all["rod.B"][0] - all["crank.A"][0], all["rod.B"][1] - all["crank.A"][1]);
+  };
+  await expect.poll(far).toBeCloseTo(1.2, 9);
+  await expect(page.locator(".faults button.error")).toHaveCount(0);
+  await expect(length).toHaveValue("1200 mm");
+  // What is no length stays in the field with its reason, and the text stays.
+  const before = await textOf(page);
+  await length.fill("12 kg");
+  await length.press("Enter");
+  await expect(page.locator(".measure-fields .number-note")).toContainText("no length");
+  expect(await textOf(page)).toBe(before);
+  await page.keyboard.press("Escape");
+  await expect(length).toHaveValue("1200 mm");
+  await page.keyboard.press("Escape");
+  await expect(rod).toBeFocused();
+  await expect(length).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await expect(page.locator(".measures")).toHaveCount(0);
+  await button(page, "Undo").click();
+  await expect.poll(() => textOf(page)).toBe(file);
+  await settled(page);
+  // By the mouse: a press on the link, and its label.
+  const [a, b] = await Promise.all(["crank.A", "rod.B"].map((name) => joint(page, name).locator(".hit").boundingBox()));
+  const inner = (k, size) => 0.7 * (a[k] + a[size] / 2) + 0.3 * (b[k] + b[size] / 2);
+  await page.mouse.click(inner("x", "width"), inner("y", "height"));
+  await page.locator("[data-measure=B]").dblclick();
+  await expect(length).toBeFocused();
+  await page.keyboard.type("900");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  await expect.poll(far).toBeCloseTo(0.9, 9);
+  // A number that is worked out of others is not written over.
+  await page.getByRole("tab", { name: "Text" }).click();
+  const formula = (await textOf(page)).replace('"objects"', '"parameters": { "half": "350 mm" },\n  "objects"');
+  expect(formula).toContain("parameters");
+  await page.getByLabel("text of the scene").click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.insertText(formula.replace(/("rod":.*?"B": \[)("[^"]*"|[\d.e-]+)/s, '$1"2*half"'));
+  await page.getByRole("tab", { name: "Drawing" }).click();
+  await settled(page);
+  await expect.poll(far).toBeCloseTo(0.7, 9);
+  const worked = await textOf(page);
+  await page.getByLabel("lengths of", { exact: true }).selectOption("rod");
+  const label = page.getByRole("button", { name: "700 mm, length A–B of rod" });
+  await label.focus();
+  await page.keyboard.press("Enter");
+  await length.fill("850 mm");
+  await length.press("Enter");
+  await expect(page.locator(".drawing-note")).toContainText("it is “2*half”");
+  expect(await textOf(page)).toBe(worked);
+});
