@@ -3,7 +3,7 @@
 import { Drawing } from "./drawing/drawing";
 import { Host } from "./host";
 import { Models } from "./models";
-import { Objects } from "./objects";
+import { Objects } from "./objects/objects";
 import { scene } from "./store/file";
 import { type Found, faults, newest, objects, parts } from "./store/findings";
 import { link } from "./store/line";

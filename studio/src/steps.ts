@@ -10,6 +10,9 @@ interface Difference {
   after: Value | null;
 }
 
+// The unit of a number that is written without one, by its address; empty: none is known.
+type UnitOf = (address: string) => string;
+
 // How long a value and the words of a step are at most (characters).
 const VALUE = 28,
   WORDS = 100;
@@ -78,26 +81,30 @@ class Comparison {
 const QUANTITY = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s+([^\d\s*/+-].*)$/;
 const raised = (unit: string): string => unit.replaceAll("^2", "²").replaceAll("^3", "³");
 
-// A value as it is written: number and unit.
-function shown(value: Value): [string, string] {
+// A value as it is written: number and unit, which a number alone has from elsewhere.
+function shown(value: Value, unit = ""): [string, string] {
+  if (value.sort === "number") return [short(value.text, VALUE), raised(unit)];
   if (value.sort === "array")
     return [short(`[${value.items.map((one) => shown(one).join(" ").trim()).join(", ")}]`, VALUE), ""];
-  const [, number, unit] = (value.sort === "string" && QUANTITY.exec(value.text)) || [];
-  return number && unit ? [number, raised(short(unit, VALUE))] : [short(value.text, VALUE) || "“”", ""];
+  const [, number, own] = (value.sort === "string" && QUANTITY.exec(value.text)) || [];
+  return number && own ? [number, raised(short(own, VALUE))] : [short(value.text, VALUE) || "“”", ""];
 }
-const joined = (value: Value): string => shown(value).join(" ").trim();
+const joined = (value: Value, unit: string): string => shown(value, unit).join(" ").trim();
 
 // "rocker.inertia 0.1 → 0.2 kg m²".
-function one({ path, before, after }: Difference): string {
+function one({ path, before, after }: Difference, unitOf: UnitOf): string {
   const name = short(address(path), 60),
+    bare = unitOf(address(path)),
     value = before ?? after!;
   if (before && after) {
     if (!isLeaf(before) || !isLeaf(after)) return `${name} changed`;
-    const [from, unit] = shown(before),
-      [to, other] = shown(after);
-    return unit === other ? `${name} ${from} → ${to} ${unit}`.trim() : `${name} ${joined(before)} → ${joined(after)}`;
+    const [from, unit] = shown(before, bare),
+      [to, other] = shown(after, bare);
+    return unit === other
+      ? `${name} ${from} → ${to} ${unit}`.trim()
+      : `${name} ${joined(before, bare)} → ${joined(after, bare)}`;
   }
-  return `${name} ${isLeaf(value) && after ? `${joined(value)} ` : ""}${after ? "added" : "removed"}`;
+  return `${name} ${isLeaf(value) && after ? `${joined(value, bare)} ` : ""}${after ? "added" : "removed"}`;
 }
 
 // "a, b and 3 more".
@@ -161,14 +168,15 @@ function read(text: string): Value | null {
 }
 
 // What was done between two texts of a scene, in words on one line.
-export function wordsOf(before: string, after: string): string {
+export function wordsOf(before: string, after: string, unitOf: UnitOf = () => ""): string {
   const [old, next] = [read(before), read(after)];
   if (!old || !next) return `text edited in line ${lineOfChange(before, after)}`;
   const comparison = new Comparison(before, after);
   comparison.of([], old, next);
   const { all } = comparison;
   if (!all.length) return "layout of the text";
-  const words = ofObjects(all, [before, after]) || ofLinkage(all) || one(all[0]!);
-  const isAlone = all.length === 1 || words !== one(all[0]!);
+  const first = one(all[0]!, unitOf),
+    words = ofObjects(all, [before, after]) || ofLinkage(all) || first,
+    isAlone = all.length === 1 || words !== first;
   return short(isAlone ? words : `${words} and ${all.length - 1} more`, WORDS);
 }

@@ -2,51 +2,22 @@
 
 import { expect, test } from "@playwright/test";
 import { execFileSync } from "node:child_process";
-import { textOf, watched } from "./page.mjs";
-import { dam, Server } from "./server.mjs";
+import { begun as begin, button, click, drag, eachWatched, server, settled, sketch } from "./drawn.mjs";
+import { textOf } from "./page.mjs";
+import { dam } from "./server.mjs";
 
-let server, wrong;
-test.beforeEach(({ page }) => {
-  wrong = watched(page);
-});
-test.afterEach(async () => {
-  await server.end();
-  expect(wrong).toEqual([]);
-});
-const button = (page, name) => page.getByRole("button", { name, exact: true });
-const sketch = (page) => page.locator("svg.sketch");
+eachWatched();
 const joint = (page, name) => page.locator(`.joint[data-joint~="${name}"]`);
 const bodies = (page) => page.locator(".sketch .body");
-// What was done has come to the drawing.
-const settled = (page) => expect(sketch(page)).toHaveAttribute("aria-busy", "false");
 
 // An empty page with a linkage that has no parts yet.
 async function begun(page) {
-  server = new Server({});
-  await server.start();
   page.on("dialog", (dialog) => void dialog.accept("drawn.json"));
-  await page.goto(server.address);
+  await begin(page);
   await button(page, "New…").click();
   await expect(page.locator(".top select")).toHaveValue("drawn.json");
   await page.getByRole("tab", { name: "Drawing" }).click();
   await button(page, "New linkage").click();
-  await settled(page);
-}
-// A place of the drawing (mm) on the screen: half a metre is seen at first, from -125 mm on.
-async function at(page, [x, y]) {
-  const box = await sketch(page).boundingBox(),
-    scale = Math.min(box.width / 500, box.height / 330);
-  return [box.x + box.width / 2 + (x + 125 - 250) * scale, box.y + box.height / 2 + (165 - y - 125) * scale];
-}
-async function click(page, place) {
-  await page.mouse.click(...(await at(page, place)));
-  await settled(page);
-}
-async function drag(page, from, to) {
-  await page.mouse.move(...(await at(page, from)));
-  await page.mouse.down();
-  await page.mouse.move(...(await at(page, to)), { steps: 4 });
-  await page.mouse.up();
   await settled(page);
 }
 // Where the joints are drawn (m).
@@ -195,9 +166,7 @@ test("the keyboard draws a link and deletes a joint", async ({ page }) => {
 
 // A scene of the program in the drawing.
 async function shown(page, scene) {
-  server = new Server({ "scene.json": scene });
-  await server.start();
-  await page.goto(server.address);
+  await begin(page, { "scene.json": scene });
   await page.getByRole("tab", { name: "Drawing" }).click();
   await page.locator(".joint").first().waitFor();
   await settled(page);

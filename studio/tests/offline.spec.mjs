@@ -59,7 +59,7 @@ test("a scenario opens from disk, and its answer follows a slider", async ({ pag
   // The steps have names here too.
   await button(page, "History").click();
   const steps = page.locator(".history-steps button");
-  await expect(steps).toHaveText([/^rocker\.stiffness 1e7 → [\d.e]+$/, "As opened"]);
+  await expect(steps).toHaveText([/^rocker\.stiffness 1e7 → [\d.e]+ N m\/rad$/, "As opened"]);
   await steps.first().click();
   await expect.poll(() => deltaOf(page)).toBe(after);
 });

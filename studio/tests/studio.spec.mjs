@@ -116,7 +116,7 @@ test("every step has its name in a list, which goes back and forward to it by ke
   const edited = await textOf(page);
   const names = [
       "text edited in line 2",
-      `rocker.inertia 0.1 → ${inertia}`,
+      `rocker.inertia 0.1 → ${inertia} kg m²`,
       "shaft.motion.speed 10 rev/s → 540 rpm",
       "As opened",
     ],

@@ -14,6 +14,9 @@ describe("a step in words", () => {
     expect(words('"0.1 kg m^2"', '"2 kg cm^2"')).toBe("rocker.inertia 0.1 kg m² → 2 kg cm²");
     expect(words("0.1", "0.2")).toBe("rocker.inertia 0.1 → 0.2");
     expect(words("0.1", '"2*m + 5 kg m^2"')).toBe("rocker.inertia 0.1 → 2*m + 5 kg m^2");
+    expect(wordsOf(scene(rocker("0.1")), scene(rocker("0.2")), (address) => `${address}^2`)).toBe(
+      "rocker.inertia 0.1 → 0.2 rocker.inertia²",
+    );
     expect(words("0.1", "[1, 2]")).toBe("rocker.inertia 0.1 → [1, 2]");
     expect(words("0.1", '{ "a": 1 }')).toBe("rocker.inertia changed");
   });

@@ -5,7 +5,7 @@ import { ChangeSet, type Text } from "@codemirror/state";
 import { wordsOf } from "../steps";
 import { request, scene } from "./file";
 import { link } from "./line";
-import { editor } from "./text";
+import { editor, fields } from "./text";
 
 // The text after so many steps, and what the last of them was.
 export interface Step {
@@ -44,10 +44,12 @@ async function named(start: Text, all: unknown[][], isBack: boolean): Promise<st
   let text = start,
     written = start.toString(),
     since = performance.now();
+  const units = new Map(fields.peek().map(({ address, si }) => [address, si])),
+    unitOf = (address: string) => units.get(address) ?? "";
   for (const changes of all) {
     text = applied(text, changes);
     const other = text.toString();
-    words.push(isBack ? wordsOf(other, written) : wordsOf(written, other));
+    words.push(isBack ? wordsOf(other, written, unitOf) : wordsOf(written, other, unitOf));
     written = other;
     if (performance.now() - since > TURN) {
       await rest();
