@@ -347,3 +347,88 @@ test("lengths of a link are typed at it; a formula is held back and shown", asyn
   await expect(page.locator(".drawing-note")).toContainText("it is “2*half”");
   expect(await textOf(page)).toBe(worked);
 });
+
+test("a picture lies below the drawing: moved, scaled by two points, kept by this browser and never sent", async ({
+  page,
+}) => {
+  const sent = [];
+  page.on("websocket", (socket) => socket.on("framesent", ({ payload }) => sent.push(String(payload))));
+  await shown(page, "scenarios/linkages/slider_crank_spring.json");
+  const file = await textOf(page),
+    picture = page.locator(".sketch image"),
+    bytes = await page.evaluate(() => {
+      const canvas = document.createElement("canvas");
+      canvas.width = 200;
+      canvas.height = 100;
+      canvas.getContext("2d").fillRect(20, 20, 100, 50);
+      return canvas.toDataURL("image/png").split(",")[1];
+    });
+  const chosen = page.getByLabel("picture from a file");
+  await chosen.setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("no picture") });
+  await expect(page.locator(".picture-tools")).toContainText("notes.txt is no PNG or JPEG picture.");
+  await chosen.setInputFiles({ name: "broken.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
+  await expect(page.locator(".picture-tools")).toContainText("broken.png cannot be read");
+  await chosen.setInputFiles({ name: "bars.png", mimeType: "image/png", buffer: Buffer.from(bytes, "base64") });
+  await expect(picture).toBeVisible();
+  const numbers = () =>
+    picture.evaluate((one) => ["x", "y", "width", "height"].map((name) => Number(one.getAttribute(name))));
+  const [x, y, width, height] = await numbers();
+  expect(width / height).toBeCloseTo(2, 6);
+  // By the arrow keys, and by the pointer.
+  await button(page, "Move picture").click();
+  await expect(sketch(page)).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(async () => (await numbers())[0]).toBeGreaterThan(x);
+  const box = await sketch(page).boundingBox(),
+    at = (u, v) => [box.x + u * box.width, box.y + v * box.height];
+  await page.mouse.move(...at(0.5, 0.5));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.5, 0.6), { steps: 2 });
+  await page.mouse.up();
+  const moved = await numbers();
+  expect(moved[1]).toBeGreaterThan(y);
+  expect(moved.slice(2)).toEqual([width, height]);
+  // Two places that are 300 mm apart.
+  await button(page, "Scale picture").click();
+  await page.mouse.click(...at(0.4, 0.5));
+  await page.mouse.click(...at(0.6, 0.5));
+  const distance = page.getByLabel("their distance");
+  await expect(distance).toBeFocused();
+  await page.keyboard.type("300 kg");
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".picture-tools")).toContainText("no length");
+  await distance.fill("300 mm");
+  await page.keyboard.press("Enter");
+  await expect(distance).toHaveCount(0);
+  const scaled = await numbers(),
+    perMetre = await page.evaluate(() => {
+      const [a, b] = ["crank.A", "ground.O"].map((name) => document.querySelector(`.joint[data-joint~="${name}"]`));
+      const off = (read) => Math.hypot(...[0, 1].map((k) => read(a, k) - read(b, k)));
+      return (
+        off((one, k) => Number(one.querySelector(".hit").getAttribute(k ? "cy" : "cx"))) /
+        off((one, k) => Number(one.dataset.at.split(" ")[k]))
+      );
+    });
+  const screen = await sketch(page).evaluate((own) => own.getScreenCTM().a);
+  expect(scaled[2] / width).toBeCloseTo((0.3 * perMetre) / ((0.2 * box.width) / screen), 2);
+  expect(scaled[2] / scaled[3]).toBeCloseTo(2, 6);
+  await page.getByLabel("opacity of the picture").fill("0.8");
+  await expect(picture).toHaveAttribute("opacity", "0.8");
+  // It is there when the page comes again; the scene knows nothing of it, and nobody was sent it.
+  expect(await textOf(page)).toBe(file);
+  expect(sent.filter((one) => /"push"|image|png/.test(one))).toEqual([]);
+  await page.reload();
+  await page.getByRole("tab", { name: "Drawing" }).click();
+  await expect(picture).toHaveAttribute("opacity", "0.8");
+  expect(await numbers()).toEqual(scaled);
+  await button(page, "Remove picture").click();
+  await expect(picture).toHaveCount(0);
+  // From the clipboard.
+  await page.evaluate((bytes) => {
+    const data = new DataTransfer(),
+      raw = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
+    data.items.add(new File([raw], "pasted.png", { type: "image/png" }));
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
+  }, bytes);
+  await expect(picture).toBeVisible();
+});

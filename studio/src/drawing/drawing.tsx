@@ -8,14 +8,17 @@ import { InputRows } from "../inputs";
 import type { Parts } from "../kinds";
 import type { Link } from "../link";
 import { gridOf, joints, type Sketch } from "../linkage";
+import { folder } from "../store/file";
 import { TOOLS, Tools, type Tool } from "../tools";
 import { find, Steps, type Value } from "../tree";
 import { useActs, type Edit, type Grip } from "./acts";
 import { DrivenChoice, LengthsChoice, LinkageChoice, Note, Structure } from "./choices";
 import { useOwner } from "./owner";
 import { usePlace } from "./place";
+import { PictureTools } from "./picture";
 import { Sheet } from "./sheet";
 import { useSketches } from "./sketches";
+import { useUnder } from "./under";
 
 interface Props {
   link: Link;
@@ -55,7 +58,8 @@ export function Drawing({ parts, root, edit, drag, isAt, ...asked }: Props) {
     sketch && pose ? { sketch, pose, joints: joints(sketch, pose), grid, known: stood, parts } : null;
   if (board) known.set(board.sketch.id, stood);
   const acts = useActs(sketches, board, view?.scale ?? 1, { edit, isAt }),
-    owner = useOwner(board, acts.act);
+    owner = useOwner(board, acts.act),
+    under = useUnder(sketch ? `${folder.peek()}/${asked.scene} ${sketch.id}` : null, view);
 
   const choose = (next: Tool) => {
     setChosen({ tool: next });
@@ -109,11 +113,12 @@ export function Drawing({ parts, root, edit, drag, isAt, ...asked }: Props) {
         )}
       </div>
       <Sheet
-        {...{ sketch, pose, board, chosen, view, grid, isMoved, setView, acts, owner, held, drag }}
+        {...{ sketch, pose, board, chosen, view, grid, isMoved, setView, acts, owner, under, held, drag }}
         isBusy={acts.busy || !isSettled()}
         leave={() => choose("select")}
       />
       <Note told={acts.told} stale={stale} draft={sketch.draft === true} />
+      <PictureTools under={under} />
       <p class="soft">{TOOLS[tool].help}</p>
       <Structure sketch={sketch} />
       {tool === "select" && <LengthsChoice links={sketch.links} owner={owner} />}

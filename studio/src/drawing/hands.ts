@@ -1,11 +1,12 @@
 // What the pointer and the keys do in the drawing: a joint is dragged, a tool is pressed, the picture moved.
 
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
-import { removed, spotAt, type Board } from "../build";
+import { spotAt, type Board } from "../build";
 import { HEIGHT, toPlace, WIDTH, zoomed, type Frame } from "../figure";
-import { snapped, stepOf, type Joint, type Point } from "../linkage";
+import { snapped, type Point } from "../linkage";
 import { TOOLS, type Tool } from "../tools";
 import type { Acts, Grip } from "./acts";
+import { ARROWS, gripOf } from "./grip";
 
 // What a tool was pressed at: where on the screen (by the keyboard: nowhere), and where in the drawing.
 interface Press {
@@ -16,7 +17,6 @@ interface Press {
 // How near to a joint is on it, how far a press moves to be a drag (pixels).
 export const REACH = 13;
 const MOVED = 5;
-const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const isFar = (a: Point, b: Point): boolean => Math.hypot(a[0] - b[0], a[1] - b[1]) > MOVED;
 
 interface Given {
@@ -120,29 +120,6 @@ export function useHands({ chosen, board, view, grid, isMoved, setView, acts, he
     return () => own?.removeEventListener("wheel", wheel);
   }, []);
 
-  // A joint is taken.
-  const take = (joint: Joint, event: PointerEvent) => {
-    if (event.button !== 0 || tool !== "select") return;
-    event.preventDefault();
-    event.stopPropagation();
-    (event.currentTarget as SVGElement).focus();
-    svg.current!.setPointerCapture(event.pointerId);
-    held.current = { joint: joint.names[0]!, drag: drag() };
-  };
-  const jointKeys = (joint: Joint, event: KeyboardEvent) => {
-    if (tool !== "select" || event.ctrlKey || event.metaKey) return;
-    const name = joint.names[0]!,
-      by = ARROWS[event.key],
-      size = stepOf(1.5 / view.scale) * (event.shiftKey ? 10 : 1);
-    if (event.key === "Delete" || event.key === "Backspace")
-      acts.act((steps, now) => {
-        const own = now.joints.find((one) => one.names.includes(name)) ?? null;
-        return removed(steps, now, { at: joint.at, joint: own, link: null });
-      });
-    else if (by) acts.move({ joint: name, drag: drag(), to: [joint.at[0] + by[0] * size, joint.at[1] + by[1] * size] });
-    else return;
-    event.preventDefault();
-  };
   // Tools go by the keyboard too: the arrow keys move what would be pressed, Enter presses.
   const keys = (event: KeyboardEvent) => {
     if (event.key === "Escape") {
@@ -163,14 +140,14 @@ export function useHands({ chosen, board, view, grid, isMoved, setView, acts, he
   };
   return {
     svg,
+    placeOf: (event: PointerEvent): Point => toPlace(view, screen(event)),
     begin: pressed && spot(pressed.place),
     target: cursor && tool !== "select" ? spot(cursor) : null,
     // What the pointer leaves; what the focus comes to.
     look: (place: Point | null) => {
       if (place ? tool !== "select" : !pressed) setCursor(place);
     },
-    jointKeys,
-    take,
+    ...gripOf(svg, tool, view, { acts, held, drag }),
     handlers: { onKeyDown: keys, onPointerDown: down, onPointerMove: move, onPointerUp: up, onPointerCancel: cancel },
   };
 }

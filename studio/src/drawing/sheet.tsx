@@ -8,6 +8,9 @@ import type { Tool } from "../tools";
 import type { Acts, Grip } from "./acts";
 import { useHands, type Hands } from "./hands";
 import type { Owner } from "./owner";
+import { Marks, PictureBelow } from "./picture";
+import type { Under } from "./under";
+import { useUnderHands } from "./under-hands";
 
 interface Props {
   sketch: Sketch;
@@ -20,6 +23,7 @@ interface Props {
   setView: (view: Frame | null) => void;
   acts: Acts;
   owner: Owner;
+  under: Under;
   held: { current: Grip | null };
   drag: () => number;
   isBusy: boolean;
@@ -28,7 +32,7 @@ interface Props {
 }
 
 export function Sheet(props: Props) {
-  const { sketch, pose, board, chosen, view, grid, owner, setView, isBusy } = props,
+  const { sketch, pose, board, chosen, view, grid, owner, under, setView, isBusy } = props,
     { tool } = chosen,
     isSelect = tool === "select",
     hands = useHands({
@@ -36,20 +40,22 @@ export function Sheet(props: Props) {
       pressLink: owner.choose,
       leave: () => (owner.name === null ? props.leave() : owner.choose(null)),
     });
-  const pixel = (place: Point): Point => toPixel(view, place);
+  const adjusting = useUnderHands({ under, view, grid, placeOf: hands.placeOf }),
+    pixel = (place: Point): Point => toPixel(view, place);
   return (
     <div class="sheet">
       <svg
-        class={isSelect ? "sketch" : "sketch drawn"}
+        class={adjusting ? "sketch adjusting" : isSelect ? "sketch" : "sketch drawn"}
         ref={hands.svg}
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
-        tabindex={isSelect ? -1 : 0}
+        tabindex={isSelect && !adjusting ? -1 : 0}
         role="group"
         aria-label={`linkage ${sketch.id}`}
         aria-busy={isBusy}
-        {...hands.handlers}
+        {...(adjusting ?? hands).handlers}
         onPointerLeave={() => hands.look(null)}
       >
+        <PictureBelow under={under} view={view} />
         {!isSelect && <Grid frame={view} step={grid} />}
         {pose && (
           <Links
@@ -70,6 +76,7 @@ export function Sheet(props: Props) {
             onPointerDown={(event) => hands.take(joint, event)}
           />
         ))}
+        {adjusting && <Marks marks={under.marks} aim={adjusting.aim} view={view} />}
         <Spots hands={hands} pixel={pixel} />
         {pose && isSelect && owner.measures && <Measures key={owner.name} {...{ owner, pose, pixel }} />}
         {!pose && (
