@@ -60,6 +60,13 @@ pub(super) enum WindowMessage {
     Undo,
     /// Does it again.
     Redo,
+    /// Takes steps back, or does them again, until so many are done.
+    GoTo {
+        /// How many.
+        count: usize,
+        /// The version whose steps were counted.
+        version: u64,
+    },
     /// Writes the text to its file.
     Save,
     /// Writes it to a new file, which is opened then.

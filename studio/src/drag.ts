@@ -10,6 +10,7 @@
 import {
   COPY,
   far,
+  isFormula,
   length,
   NAME,
   placed,
@@ -130,10 +131,11 @@ export function dragged(
       });
     }
   });
-  return written(edits, sketch, moved, Math.min(step, 1e-3 * sizeOf(sketch)));
+  return pointsWritten(edits, sketch, moved, Math.min(step, 1e-3 * sizeOf(sketch)));
 }
 
-function written(
+// Writes points of a linkage; what changes by less than a thousandth of the step stays. Text: what cannot be.
+export function pointsWritten(
   edits: Edits,
   sketch: Sketch,
   moved: { path: Step[]; at: Point; was: Point }[],
@@ -153,6 +155,8 @@ function written(
           item.sort === "string" && NAME.test(name) ? find(edits.root, [...path, "dimensions", name]) : undefined;
       const target = dimension ?? item,
         metres = dimension && item.text.startsWith("-") ? -at[k] : at[k];
+      if (isFormula(target))
+        return `${where.join(".")} is worked out: it is “${target.text}”. Change the numbers of that formula.`;
       const known = changes.get(target.from),
         insert = length(metres, target);
       // Of two that share a number the first has it; the other is written out.

@@ -70,9 +70,12 @@ interface Props {
   sketch: Sketch;
   pose: number[];
   pixel: (at: Point) => Point;
+  // The link that is chosen, and what keys do at links; undefined: none can be chosen.
+  chosen: string | null;
+  keys: ((name: string, event: KeyboardEvent) => void) | undefined;
 }
 
-export function Links({ sketch, pose, pixel }: Props) {
+export function Links({ sketch, pose, pixel, chosen, keys }: Props) {
   const ends = sketch.pairs.flatMap(({ on, link }) => [on, link]);
   const points = (index: number): Point[] => {
     const origin: Point[] = shows(sketch, index) ? [[0, 0]] : [];
@@ -107,8 +110,15 @@ export function Links({ sketch, pose, pixel }: Props) {
         return (
           <path
             key={link.name}
-            class={`body l${index % 8}`}
+            class={`body l${index % 8}${chosen === link.name ? " chosen" : ""}`}
             data-link={link.name}
+            {...(keys && {
+              tabindex: 0,
+              role: "button",
+              "aria-label": `link ${link.name}`,
+              "aria-pressed": chosen === link.name,
+              onKeyDown: (event: KeyboardEvent) => keys(link.name, event),
+            })}
             d={`M${list.join("L")}${list.length > 2 ? "z" : ""}`}
           >
             <title>{link.name}</title>

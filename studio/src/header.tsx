@@ -2,6 +2,7 @@
 
 import { Besides } from "./connection";
 import { Exports } from "./exports";
+import { History } from "./history";
 import { createScene, folder, isSaved, request, saveAs, scene, scenes, status } from "./store/file";
 import { isConnected, link } from "./store/line";
 import { tell } from "./store/notices";
@@ -55,6 +56,7 @@ function SceneTools() {
       <button type="button" onClick={() => request("redo")} disabled={!redo} title="Ctrl-Y">
         Redo
       </button>
+      <History />
       <Exports link={link} scene={scene.value} stale={isStale.value} tell={tell} />
     </>
   );

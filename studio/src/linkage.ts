@@ -128,8 +128,8 @@ export function sizeOf({ links, ground }: Sketch): number {
 }
 
 export const NAME = /^[A-Za-z_][A-Za-z0-9_-]*$/;
-const LENGTHS: Record<string, number> = { m: 1, mm: 1e-3, cm: 1e-2, µm: 1e-6 };
-const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180, mrad: 1e-3, rev: 2 * Math.PI };
+export const LENGTHS: Record<string, number> = { m: 1, mm: 1e-3, cm: 1e-2, µm: 1e-6, in: 0.0254, ft: 0.3048 };
+export const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180, mrad: 1e-3, rev: 2 * Math.PI };
 const MEASURE = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zµ]*)\s*$/;
 const NAMED = /^\s*(-?)\s*([A-Za-z_][A-Za-z0-9_-]*)\s*(?:([*/])\s*(\d+\.?\d*(?:[eE][-+]?\d+)?))?\s*$/;
 const tidy = (value: number): string => String(Number(value.toPrecision(12)));
@@ -154,6 +154,9 @@ export const lengthOf = (value: Value | undefined, dimensions: Value | undefined
   measured(value, dimensions, LENGTHS);
 export const angleOf = (value: Value | undefined, dimensions: Value | undefined): number | null =>
   measured(value, dimensions, ANGLES);
+
+// Whether a number of a text is worked out of others.
+export const isFormula = (value: Value): boolean => value.sort === "string" && !MEASURE.test(value.text);
 
 // A length as text, in the unit of the one before it.
 export function length(metres: number, before?: Value): string {

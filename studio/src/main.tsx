@@ -7,7 +7,7 @@ import "./bench.css";
 import "./first.css";
 import "./tour.css";
 import "./expect.css";
-import "./units.css";
+import "./popup.css";
 import "./print.css";
 import "./motion/motion.css";
 import "./gallery/gallery.css";

@@ -1,9 +1,9 @@
 // The scene in its views: objects, drawing, text, dynamic model, equations; its faults below.
 
-import { Drawing } from "./drawing";
+import { Drawing } from "./drawing/drawing";
 import { Host } from "./host";
 import { Models } from "./models";
-import { Objects } from "./objects";
+import { Objects } from "./objects/objects";
 import { scene } from "./store/file";
 import { type Found, faults, newest, objects, parts } from "./store/findings";
 import { link } from "./store/line";

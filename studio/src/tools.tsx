@@ -21,7 +21,7 @@ export const TOOLS: Record<Tool, Use> = {
     words: "Select",
     two: false,
     act: null,
-    help: "Drag a joint, or move it with the arrow keys: the other joints and the angles of the links stay as they are at this input. Delete takes it away.",
+    help: "Press a link to see and type its lengths. Drag a joint, or move it with the arrow keys: the other joints and the angles of the links stay as they are at this input. Delete takes it away.",
   },
   ground: {
     words: "Ground",

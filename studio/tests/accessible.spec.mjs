@@ -177,6 +177,10 @@ for (const colorScheme of ["light", "dark"]) {
           await page.keyboard.type('"shafd",', { delay: 5 });
           await expect(page.locator(".faults button.error")).toBeVisible();
         },
+        history: async () => {
+          await page.getByRole("button", { name: "History" }).click();
+          await page.locator(".history-steps [aria-current=step]").waitFor();
+        },
         "a fault at its object": () => tab(page, "Objects"),
         "a fault at its field": () => box(page, "rocker").click(),
         "a changed file": async () => {
@@ -218,7 +222,19 @@ for (const colorScheme of ["light", "dark"]) {
           await tab(page, "Workbench");
           await page.locator(".top select[aria-label=scene]").selectOption("b_linkage.json");
           await tab(page, "Drawing");
-          await page.waitForTimeout(800);
+          await page.locator(".joint").first().waitFor();
+          await page.locator(".sketch .body").first().press("1");
+          await page.locator(".measure-fields").waitFor();
+        },
+        "a picture below the drawing": async () => {
+          const bytes = await page.evaluate(() => document.createElement("canvas").toDataURL().split(",")[1]);
+          const buffer = Buffer.from(bytes, "base64");
+          await page.getByLabel("picture from a file").setInputFiles({ name: "a.png", mimeType: "image/png", buffer });
+          await page.getByRole("button", { name: "Scale picture" }).click();
+          await page.keyboard.press("Enter");
+          await page.keyboard.press("ArrowRight");
+          await page.keyboard.press("Enter");
+          await page.getByLabel("their distance").waitFor();
         },
       });
     });

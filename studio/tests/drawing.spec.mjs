@@ -2,51 +2,22 @@
 
 import { expect, test } from "@playwright/test";
 import { execFileSync } from "node:child_process";
-import { textOf, watched } from "./page.mjs";
-import { dam, Server } from "./server.mjs";
+import { begun as begin, button, click, drag, eachWatched, server, settled, sketch } from "./drawn.mjs";
+import { textOf } from "./page.mjs";
+import { dam } from "./server.mjs";
 
-let server, wrong;
-test.beforeEach(({ page }) => {
-  wrong = watched(page);
-});
-test.afterEach(async () => {
-  await server.end();
-  expect(wrong).toEqual([]);
-});
-const button = (page, name) => page.getByRole("button", { name, exact: true });
-const sketch = (page) => page.locator("svg.sketch");
+eachWatched();
 const joint = (page, name) => page.locator(`.joint[data-joint~="${name}"]`);
 const bodies = (page) => page.locator(".sketch .body");
-// What was done has come to the drawing.
-const settled = (page) => expect(sketch(page)).toHaveAttribute("aria-busy", "false");
 
 // An empty page with a linkage that has no parts yet.
 async function begun(page) {
-  server = new Server({});
-  await server.start();
   page.on("dialog", (dialog) => void dialog.accept("drawn.json"));
-  await page.goto(server.address);
+  await begin(page);
   await button(page, "New…").click();
   await expect(page.locator(".top select")).toHaveValue("drawn.json");
   await page.getByRole("tab", { name: "Drawing" }).click();
   await button(page, "New linkage").click();
-  await settled(page);
-}
-// A place of the drawing (mm) on the screen: half a metre is seen at first, from -125 mm on.
-async function at(page, [x, y]) {
-  const box = await sketch(page).boundingBox(),
-    scale = Math.min(box.width / 500, box.height / 330);
-  return [box.x + box.width / 2 + (x + 125 - 250) * scale, box.y + box.height / 2 + (165 - y - 125) * scale];
-}
-async function click(page, place) {
-  await page.mouse.click(...(await at(page, place)));
-  await settled(page);
-}
-async function drag(page, from, to) {
-  await page.mouse.move(...(await at(page, from)));
-  await page.mouse.down();
-  await page.mouse.move(...(await at(page, to)), { steps: 4 });
-  await page.mouse.up();
   await settled(page);
 }
 // Where the joints are drawn (m).
@@ -195,9 +166,7 @@ test("the keyboard draws a link and deletes a joint", async ({ page }) => {
 
 // A scene of the program in the drawing.
 async function shown(page, scene) {
-  server = new Server({ "scene.json": scene });
-  await server.start();
-  await page.goto(server.address);
+  await begin(page, { "scene.json": scene });
   await page.getByRole("tab", { name: "Drawing" }).click();
   await page.locator(".joint").first().waitFor();
   await settled(page);
@@ -311,4 +280,155 @@ test("of a frame that floats the inputs tell the place, its parts are dragged", 
   await expect.poll(async () => Math.hypot(...offs(tilted, await places(page))["slide.origin"])).toBeGreaterThan(1e-3);
   const [dx, dy] = offs(tilted, await places(page))["slide.origin"];
   expect(Math.atan2(-dy, -dx)).toBeCloseTo(Math.PI / 9, 9);
+});
+
+test("lengths of a link are typed at it; a formula is held back and shown", async ({ page }) => {
+  await shown(page, "scenarios/linkages/slider_crank_spring.json");
+  const file = await textOf(page),
+    rod = page.locator(".sketch .body[data-link=rod]"),
+    length = page.getByLabel("length A–B of rod", { exact: true });
+  // By keys: a digit at the link begins its length.
+  await rod.focus();
+  await page.keyboard.type("1.2 m");
+  await expect(length).toHaveValue("1.2 m");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  await expect.poll(() => textOf(page)).not.toBe(file);
+  const far = async () => {
+    const all = await places(page);
+    return Math.hypot(all["rod.B"][0] - all["crank.A"][0], all["rod.B"][1] - all["crank.A"][1]);
+  };
+  await expect.poll(far).toBeCloseTo(1.2, 9);
+  await expect(page.locator(".faults button.error")).toHaveCount(0);
+  await expect(length).toHaveValue("1200 mm");
+  // What is no length stays in the field with its reason, and the text stays.
+  const before = await textOf(page);
+  await length.fill("12 kg");
+  await length.press("Enter");
+  await expect(page.locator(".measure-fields .number-note")).toContainText("no length");
+  expect(await textOf(page)).toBe(before);
+  await page.keyboard.press("Escape");
+  await expect(length).toHaveValue("1200 mm");
+  await page.keyboard.press("Escape");
+  await expect(rod).toBeFocused();
+  await expect(length).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await expect(page.locator(".measures")).toHaveCount(0);
+  await button(page, "Undo").click();
+  await expect.poll(() => textOf(page)).toBe(file);
+  await settled(page);
+  // By the mouse: a press on the link, and its label.
+  const [a, b] = await Promise.all(["crank.A", "rod.B"].map((name) => joint(page, name).locator(".hit").boundingBox()));
+  const inner = (k, size) => 0.7 * (a[k] + a[size] / 2) + 0.3 * (b[k] + b[size] / 2);
+  await page.mouse.click(inner("x", "width"), inner("y", "height"));
+  await page.locator("[data-measure=B]").dblclick();
+  await expect(length).toBeFocused();
+  await page.keyboard.type("900");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  await expect.poll(far).toBeCloseTo(0.9, 9);
+  // A number that is worked out of others is not written over.
+  await page.getByRole("tab", { name: "Text" }).click();
+  const formula = (await textOf(page)).replace('"objects"', '"parameters": { "half": "350 mm" },\n  "objects"');
+  expect(formula).toContain("parameters");
+  await page.getByLabel("text of the scene").click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.insertText(formula.replace(/("rod":.*?"B": \[)("[^"]*"|[\d.e-]+)/s, '$1"2*half"'));
+  await page.getByRole("tab", { name: "Drawing" }).click();
+  await settled(page);
+  await expect.poll(far).toBeCloseTo(0.7, 9);
+  const worked = await textOf(page);
+  await page.getByLabel("lengths of", { exact: true }).selectOption("rod");
+  const label = page.getByRole("button", { name: "700 mm, length A–B of rod" });
+  await label.focus();
+  await page.keyboard.press("Enter");
+  await length.fill("850 mm");
+  await length.press("Enter");
+  await expect(page.locator(".drawing-note")).toContainText("it is “2*half”");
+  expect(await textOf(page)).toBe(worked);
+});
+
+test("a picture lies below the drawing: moved, scaled by two points, kept by this browser and never sent", async ({
+  page,
+}) => {
+  const sent = [];
+  page.on("websocket", (socket) => socket.on("framesent", ({ payload }) => sent.push(String(payload))));
+  await shown(page, "scenarios/linkages/slider_crank_spring.json");
+  const file = await textOf(page),
+    picture = page.locator(".sketch image"),
+    bytes = await page.evaluate(() => {
+      const canvas = document.createElement("canvas");
+      canvas.width = 200;
+      canvas.height = 100;
+      canvas.getContext("2d").fillRect(20, 20, 100, 50);
+      return canvas.toDataURL("image/png").split(",")[1];
+    });
+  const chosen = page.getByLabel("picture from a file");
+  await chosen.setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("no picture") });
+  await expect(page.locator(".picture-tools")).toContainText("notes.txt is no PNG or JPEG picture.");
+  await chosen.setInputFiles({ name: "broken.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
+  await expect(page.locator(".picture-tools")).toContainText("broken.png cannot be read");
+  await chosen.setInputFiles({ name: "bars.png", mimeType: "image/png", buffer: Buffer.from(bytes, "base64") });
+  await expect(picture).toBeVisible();
+  const numbers = () =>
+    picture.evaluate((one) => ["x", "y", "width", "height"].map((name) => Number(one.getAttribute(name))));
+  const [x, y, width, height] = await numbers();
+  expect(width / height).toBeCloseTo(2, 6);
+  // By the arrow keys, and by the pointer.
+  await button(page, "Move picture").click();
+  await expect(sketch(page)).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(async () => (await numbers())[0]).toBeGreaterThan(x);
+  const box = await sketch(page).boundingBox(),
+    at = (u, v) => [box.x + u * box.width, box.y + v * box.height];
+  await page.mouse.move(...at(0.5, 0.5));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.5, 0.6), { steps: 2 });
+  await page.mouse.up();
+  const moved = await numbers();
+  expect(moved[1]).toBeGreaterThan(y);
+  expect(moved.slice(2)).toEqual([width, height]);
+  // Two places that are 300 mm apart.
+  await button(page, "Scale picture").click();
+  await page.mouse.click(...at(0.4, 0.5));
+  await page.mouse.click(...at(0.6, 0.5));
+  const distance = page.getByLabel("their distance");
+  await expect(distance).toBeFocused();
+  await page.keyboard.type("300 kg");
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".picture-tools")).toContainText("no length");
+  await distance.fill("300 mm");
+  await page.keyboard.press("Enter");
+  await expect(distance).toHaveCount(0);
+  const scaled = await numbers(),
+    perMetre = await page.evaluate(() => {
+      const [a, b] = ["crank.A", "ground.O"].map((name) => document.querySelector(`.joint[data-joint~="${name}"]`));
+      const off = (read) => Math.hypot(...[0, 1].map((k) => read(a, k) - read(b, k)));
+      return (
+        off((one, k) => Number(one.querySelector(".hit").getAttribute(k ? "cy" : "cx"))) /
+        off((one, k) => Number(one.dataset.at.split(" ")[k]))
+      );
+    });
+  const screen = await sketch(page).evaluate((own) => own.getScreenCTM().a);
+  expect(scaled[2] / width).toBeCloseTo((0.3 * perMetre) / ((0.2 * box.width) / screen), 2);
+  expect(scaled[2] / scaled[3]).toBeCloseTo(2, 6);
+  await page.getByLabel("opacity of the picture").fill("0.8");
+  await expect(picture).toHaveAttribute("opacity", "0.8");
+  // It is there when the page comes again; the scene knows nothing of it, and nobody was sent it.
+  expect(await textOf(page)).toBe(file);
+  expect(sent.filter((one) => /"push"|image|png/.test(one))).toEqual([]);
+  await page.reload();
+  await page.getByRole("tab", { name: "Drawing" }).click();
+  await expect(picture).toHaveAttribute("opacity", "0.8");
+  expect(await numbers()).toEqual(scaled);
+  await button(page, "Remove picture").click();
+  await expect(picture).toHaveCount(0);
+  // From the clipboard.
+  await page.evaluate((bytes) => {
+    const data = new DataTransfer(),
+      raw = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
+    data.items.add(new File([raw], "pasted.png", { type: "image/png" }));
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
+  }, bytes);
+  await expect(picture).toBeVisible();
 });

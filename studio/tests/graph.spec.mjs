@@ -311,7 +311,6 @@ test("random edits from every view and as many undos give the file back byte for
       if (!bar) return;
       await bar.focus();
       await page.keyboard.press(["ArrowRight", "ArrowLeft", "PageUp", "Home"][below(4)]);
-      await page.waitForTimeout(650);
     },
     async form() {
       const object = await one(page.locator(".object-box"));
@@ -355,7 +354,6 @@ test("random edits from every view and as many undos give the file back byte for
       await page.locator(".cm-line").nth(below(8)).click();
       await page.keyboard.press("End");
       await page.keyboard.type("  ", { delay: 2 });
-      await page.waitForTimeout(650);
       await tab("Objects");
     },
   };
@@ -384,9 +382,9 @@ test("random edits from every view and as many undos give the file back byte for
       left.set(line, there - 1);
       return there <= 0;
     });
-    expect(gone.length, `${name}: ${gone.join(" | ")}`).toBeLessThanOrEqual(
-      name === "rename" ? 20 : name === "remove" ? 14 : 3,
-    );
+    // What is taken out has all of its lines, and what it drove another one.
+    const most = { rename: 20, remove: a.length - b.length + ids.length }[name] ?? 3;
+    expect(gone.length, `${name}: ${gone.join(" | ")}`).toBeLessThanOrEqual(most);
   }
   expect(changed).toBeGreaterThan(edits / 3);
   await undone(page);

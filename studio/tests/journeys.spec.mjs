@@ -2,27 +2,16 @@
 // counted, and never more than two faults are in sight on the way.
 
 import { expect, test } from "@playwright/test";
-import { field, textOf, watched } from "./page.mjs";
-import { Server } from "./server.mjs";
+import { begun as begin, button, click, drag, eachWatched, server, settled } from "./drawn.mjs";
+import { field, textOf } from "./page.mjs";
 
-let server, wrong;
-test.beforeEach(({ page }) => {
-  wrong = watched(page);
-});
-test.afterEach(async () => {
-  await server.end();
-  expect(wrong).toEqual([]);
-});
-const button = (page, name) => page.getByRole("button", { name, exact: true });
-const sketch = (page) => page.locator("svg.sketch");
+eachWatched();
 
 // A page on an empty folder, with a counter of what is done in it.
 async function begun(page, most) {
   test.setTimeout(120_000);
-  server = new Server({});
-  await server.start();
   page.on("dialog", (dialog) => void dialog.accept("made.json"));
-  await page.goto(server.address);
+  await begin(page);
   let acts = 0;
   return {
     act: async (done) => {
@@ -43,25 +32,6 @@ async function begun(page, most) {
     },
   };
 }
-// A place of the drawing (mm) on the screen: half a metre is seen at first, from -125 mm on.
-async function at(page, [x, y]) {
-  const box = await sketch(page).boundingBox(),
-    scale = Math.min(box.width / 500, box.height / 330);
-  return [box.x + box.width / 2 + (x + 125 - 250) * scale, box.y + box.height / 2 + (165 - y - 125) * scale];
-}
-const settled = (page) => expect(sketch(page)).toHaveAttribute("aria-busy", "false");
-async function click(page, place) {
-  await page.mouse.click(...(await at(page, place)));
-  await settled(page);
-}
-async function drag(page, from, to) {
-  await page.mouse.move(...(await at(page, from)));
-  await page.mouse.down();
-  await page.mouse.move(...(await at(page, to)), { steps: 4 });
-  await page.mouse.up();
-  await settled(page);
-}
-
 test("a cam lever with a spring and a slide behind it, from nothing to a judged run", async ({ page }) => {
   const { act, judged } = await begun(page, 15);
   await act(button(page, "New…").click());

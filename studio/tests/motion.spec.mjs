@@ -4,18 +4,11 @@ import { expect, test } from "@playwright/test";
 import { execFileSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { box, textOf, watched } from "./page.mjs";
-import { dam, Server } from "./server.mjs";
+import { begun, button, eachWatched, server } from "./drawn.mjs";
+import { box, textOf } from "./page.mjs";
+import { dam } from "./server.mjs";
 
-let server, wrong;
-test.beforeEach(({ page }) => {
-  wrong = watched(page);
-});
-test.afterEach(async () => {
-  await server.end();
-  expect(wrong).toEqual([]);
-});
-const button = (page, name) => page.getByRole("button", { name, exact: true });
+eachWatched();
 const panel = (page) => page.locator("section.motion");
 const handle = (page, name) => panel(page).getByRole("slider", { name, exact: true });
 const settled = async (page) => {
@@ -26,10 +19,7 @@ const curve = (page, name = "displacement") => page.locator(`[data-curve="${name
 
 // A scene with an object chosen, whose motion is drawn.
 async function drawn(page, scenario, id, change = (text) => text) {
-  server = new Server({});
-  server.write(change(server.read(`scenarios/${scenario}.json`)), "scene.json");
-  await server.start();
-  await page.goto(server.address);
+  await begun(page, {}, (server) => server.write(change(server.read(`scenarios/${scenario}.json`)), "scene.json"));
   await page.getByRole("tab", { name: "Objects" }).click();
   await box(page, id).click();
 }

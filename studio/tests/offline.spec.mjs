@@ -53,8 +53,15 @@ test("a scenario opens from disk, and its answer follows a slider", async ({ pag
   for (let k = 0; k < 20; k++) await page.keyboard.press("ArrowLeft");
   await expect.poll(() => deltaOf(page)).not.toBe(before);
   await agrees(page);
+  const after = await deltaOf(page);
   await button(page, "Undo").click();
   await expect.poll(() => deltaOf(page)).toBe(before);
+  // The steps have names here too.
+  await button(page, "History").click();
+  const steps = page.locator(".history-steps button");
+  await expect(steps).toHaveText([/^rocker\.stiffness 1e7 → [\d.e]+ N m\/rad$/, "As opened"]);
+  await steps.first().click();
+  await expect.poll(() => deltaOf(page)).toBe(after);
 });
 
 test("what is saved is there when the page comes again, and what is not is offered", async ({ page }) => {

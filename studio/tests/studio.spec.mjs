@@ -99,6 +99,59 @@ test("numbers are typed with units", async ({ page }) => {
   await agrees(page);
 });
 
+test("every step has its name in a list, which goes back and forward to it by keys", async ({ page }) => {
+  await opened(page);
+  const before = await textOf(page),
+    speed = page.getByLabel("speed", { exact: true });
+  await speed.fill("540 rpm");
+  await speed.press("Enter");
+  const first = await slider(page, "rocker.inertia");
+  await first.press("PageUp");
+  await expect.poll(() => textOf(page)).toContain('"540 rpm"');
+  const moved = await textOf(page);
+  const inertia = /"inertia": ([\d.]+)/.exec(moved)[1];
+  await page.locator(".cm-line").nth(1).click();
+  await page.keyboard.press("End");
+  await page.keyboard.type("x");
+  const edited = await textOf(page);
+  const names = [
+      "text edited in line 2",
+      `rocker.inertia 0.1 → ${inertia} kg m²`,
+      "shaft.motion.speed 10 rev/s → 540 rpm",
+      "As opened",
+    ],
+    history = page.getByRole("button", { name: "History" }),
+    steps = page.locator(".history-steps button"),
+    present = page.locator(".history-steps [aria-current=step]");
+  const open = async () => {
+    await history.focus();
+    await page.keyboard.press("Enter");
+  };
+  await open();
+  await expect(steps).toHaveText(names);
+  await expect(present).toHaveText(names[0]);
+  await expect(present).toBeFocused();
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => textOf(page)).toBe(moved);
+  await expect(present).toHaveText(names[1]);
+  await expect(steps).toHaveText(names);
+  await page.keyboard.press("End");
+  await page.keyboard.press("Enter");
+  await expect(present).toHaveText("As opened");
+  expect(await textOf(page)).toBe(before);
+  await page.keyboard.press("Escape");
+  await expect(history).toBeFocused();
+  // The steps are there when the page is loaded anew, and in another window.
+  await page.reload();
+  await page.waitForSelector(".verdict");
+  await open();
+  await expect(steps).toHaveText(names);
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Enter");
+  await expect.poll(() => textOf(page)).toBe(edited);
+});
+
 test("random edits and as many undos give the file back byte for byte", async ({ page }) => {
   const seed = Number(process.env.SEED ?? Date.now() % 1_000_000);
   console.log(`seed ${seed}`);

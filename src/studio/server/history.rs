@@ -50,16 +50,16 @@ struct Step {
 const PAUSE: Duration = Duration::from_millis(600);
 
 /// The steps of a text.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct History {
     done: Vec<Step>,
     undone: Vec<Step>,
 }
 
 impl History {
-    /// Whether there is something to undo and to redo.
-    pub(super) fn can_undo_and_redo(&self) -> [bool; 2] {
-        [!self.done.is_empty(), !self.undone.is_empty()]
+    /// How many steps can be taken back and done again.
+    pub(super) fn step_counts(&self) -> [usize; 2] {
+        [self.done.len(), self.undone.len()]
     }
 
     /// The edits that take the last step back.

@@ -29,6 +29,9 @@ pub(super) const PACE: Duration = Duration::from_millis(50);
 pub(super) const MEMORY: u64 = 2 << 30;
 /// How long undone steps are kept: characters of all of them.
 pub(super) const HISTORY: usize = 16 << 20;
+/// Steps that a window lists, back and forward each, and about how many characters of them.
+pub(super) const LISTED: usize = 200;
+pub(super) const LISTED_SIZE: usize = 4 << 20;
 /// Edits, and characters of them, that are kept for windows whose connection was lost.
 pub(super) const LOGGED: usize = 4096;
 pub(super) const LOGGED_SIZE: usize = 8 << 20;

@@ -75,6 +75,15 @@ pub(super) async fn motion(opened: Opened, Query(of): Query<ObjectQuery>) -> Res
     respond(opened, move |aside| Some(aside.motion(&of.object))).await
 }
 
+/// The steps of its text that undo takes back and redo does again.
+pub(super) async fn steps(Opened(room): Opened) -> Response {
+    let worked = tokio::task::spawn_blocking(move || room.steps()).await;
+    match worked {
+        Ok(steps) => Json(steps).into_response(),
+        Err(_) => refused(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed"),
+    }
+}
+
 /// The figures of its run that it may expect, with how closely.
 pub(super) async fn figures(opened: Opened) -> Response {
     respond(opened, |aside| aside.figures()).await

@@ -21,7 +21,7 @@ use super::work::{Desk, Rank};
 use crate::studio::commands::{Commands, Question};
 use crate::studio::messages::{self, Update};
 use desks::{AnswerCache, failed, failed_question};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -249,6 +249,30 @@ impl Room {
             state.broadcast_changes(before, None, &changes);
             self.changed(state);
         }
+    }
+
+    /// Takes steps back, or does them again, until so many of a version are done.
+    pub(super) fn go_to(&self, count: usize, version: u64) -> Result<(), String> {
+        let mut state = self.lock();
+        if state.disk.is_asking() {
+            return Err("decide about the draft first".to_owned());
+        }
+        if state.text.version() != version {
+            return Err("the text was changed meanwhile: choose the step again".to_owned());
+        }
+        let changes = state.text.go_to(count);
+        if !changes.is_empty() {
+            state.broadcast_changes(version, None, &changes);
+            self.changed(state);
+        }
+        Ok(())
+    }
+
+    /// The steps that undo takes back and redo does again.
+    pub(super) fn steps(&self) -> Value {
+        // Listed from a copy: edits do not wait for it.
+        let text = self.lock().text.clone();
+        text.steps()
     }
 
     /// Writes the text to its file, unless others have changed that.

@@ -294,6 +294,31 @@ fn faults_and_numbers_have_their_places_as_windows_count() {
 }
 
 #[test]
+fn a_step_of_the_list_is_gone_to_where_the_text_is_that_of_the_list() {
+    let opened = Opened::new();
+    let before = opened.room.text();
+    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.2", Some(1));
+    opened.replace(1, "\"inertia\": 0.2", "\"inertia\": 0.3", Some(2));
+    let edited = opened.room.text();
+    assert!(opened.room.go_to(0, 1).unwrap_err().contains("meanwhile"));
+    assert_eq!(opened.room.text(), edited);
+    opened.room.go_to(0, 2).unwrap();
+    assert_eq!(opened.room.text(), before);
+    let steps = opened.room.steps();
+    assert_eq!(
+        (
+            steps["count"].as_u64(),
+            steps["undone"].as_array().unwrap().len()
+        ),
+        (Some(0), 2)
+    );
+    let version = opened.room.newest().0;
+    opened.told("status", |one| one["redo"] == true && one["undo"] == false);
+    opened.room.go_to(2, version).unwrap();
+    assert_eq!(opened.room.text(), edited);
+}
+
+#[test]
 fn late_edits_wait_and_foreign_ones_are_refused() {
     let opened = Opened::new();
     let before = opened.room.text();

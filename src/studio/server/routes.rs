@@ -60,6 +60,7 @@ fn router(studio: Arc<Studio>) -> Router {
         .route("/api/parts", get(questions::parts))
         .route("/api/model", get(questions::model))
         .route("/api/figures", get(questions::figures))
+        .route("/api/steps", get(questions::steps))
         .route("/api/linkages", get(questions::linkages))
         .route("/api/motion", get(questions::motion))
         .route("/api/preview", get(first::preview))

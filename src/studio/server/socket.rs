@@ -180,6 +180,7 @@ impl Visit {
                 heard,
                 updates,
             } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
+            WindowMessage::GoTo { count, version } => room.go_to(count, version),
             WindowMessage::Save => room.save(),
             WindowMessage::Pin { name } => {
                 room.keep_run(id, &name)?;

@@ -6,12 +6,14 @@
 
 use super::history::{Edit, EditGroup, History};
 use crate::studio::limits::BODY;
+use crate::studio::server::limits::{LISTED, LISTED_SIZE};
 use crate::studio::units::{UnitTraversal, length};
 use serde_json::{Value, json};
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// A text with its history.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Text {
     text: String,
     line_break: &'static str,
@@ -56,7 +58,52 @@ impl Text {
 
     /// Whether there is something to undo and to redo.
     pub(super) fn history(&self) -> [bool; 2] {
-        self.history.can_undo_and_redo()
+        self.history.step_counts().map(|count| count > 0)
+    }
+
+    /// The steps of the history as changes for a window that has the text: those that take one step
+    /// after the other back, and those that do what was taken back again. At most [`LISTED`] of
+    /// each; `more`: older ones are left out.
+    pub(super) fn steps(&self) -> Value {
+        let mut size = 0;
+        let mut listed = |mut text: Self, step: fn(&mut Self) -> Option<Vec<Value>>| {
+            let mut steps = Vec::new();
+            while steps.len() < LISTED && size < LISTED_SIZE {
+                let Some(changes) = step(&mut text) else {
+                    break;
+                };
+                let changes = json!(changes);
+                size += changes.to_string().len();
+                steps.push(changes);
+            }
+            (steps, text.history.step_counts())
+        };
+        let (done, [left, _]) = listed(self.clone(), Self::undo);
+        let (undone, _) = listed(self.clone(), Self::redo);
+        json!({
+            "version": self.version,
+            "count": self.history.step_counts()[0],
+            "done": done,
+            "undone": undone,
+            "more": left > 0,
+        })
+    }
+
+    /// Takes steps back, or does them again, until so many are done; the changes for the windows.
+    pub(super) fn go_to(&mut self, count: usize) -> Vec<Value> {
+        let mut all = Vec::new();
+        loop {
+            let [done, _] = self.history.step_counts();
+            let changes = match done.cmp(&count) {
+                Ordering::Greater => self.undo(),
+                Ordering::Less => self.redo(),
+                Ordering::Equal => None,
+            };
+            match changes {
+                Some(changes) => all.extend(changes),
+                None => return all,
+            }
+        }
     }
 
     /// Applies a window's changes: the list `[kept, [removed, line, line …], …]` of its editor.
@@ -199,7 +246,7 @@ impl Text {
 #[cfg(test)]
 mod tests {
     use super::super::history::EditGroup;
-    use super::Text;
+    use super::{LISTED, Text};
     use crate::studio::units::length;
     use serde_json::{Value, json};
 
@@ -297,7 +344,53 @@ mod tests {
             assert_eq!(text.text(), original, "seed {seed}");
             while text.redo().is_some() {}
             assert_eq!(text.text(), edited, "seed {seed}");
+            listed_steps_lead_there(&text, steps, random.below(steps));
         }
+    }
+
+    /// A window that applies the listed changes has the texts between, and going to a step is the same.
+    fn listed_steps_lead_there(text: &Text, count: usize, wanted: usize) {
+        let steps = text.steps();
+        assert_eq!(steps["count"], count);
+        assert_eq!(
+            (&steps["version"], &steps["more"]),
+            (&json!(text.version()), &json!(false))
+        );
+        let applied = |from: &str, steps: &Value| {
+            let changes = steps.as_array().unwrap().iter();
+            let changes = changes.flat_map(|step| step.as_array().unwrap());
+            changes.fold(from.to_owned(), |window, one| in_window(&window, one))
+        };
+        let mut back = text.clone();
+        let window = text.with_unix_newlines();
+        let changes = back.go_to(wanted);
+        let done = steps["done"].as_array().unwrap();
+        assert_eq!(done.len(), count);
+        let some = json!(done[..count - wanted]);
+        assert_eq!(applied(&window, &some), back.with_unix_newlines());
+        let gone = changes
+            .iter()
+            .fold(window.clone(), |window, one| in_window(&window, one));
+        assert_eq!(gone, back.with_unix_newlines());
+        let undone = back.steps()["undone"].clone();
+        assert_eq!(undone.as_array().unwrap().len(), count - wanted);
+        assert_eq!(applied(&gone, &undone), window);
+        back.go_to(usize::MAX);
+        assert_eq!(back.text(), text.text());
+    }
+
+    #[test]
+    fn a_list_of_steps_is_bounded() {
+        let mut text = Text::new("1".to_owned()).unwrap();
+        for _ in 0..LISTED + 3 {
+            text.apply(&json!([[1, "2"]]), EditGroup::Alone).unwrap();
+        }
+        let steps = text.steps();
+        assert_eq!(steps["done"].as_array().unwrap().len(), LISTED);
+        assert_eq!(
+            (&steps["count"], &steps["more"]),
+            (&json!(LISTED + 3), &json!(true))
+        );
     }
 
     #[test]

@@ -1,7 +1,7 @@
 // What the fields of a form have in common: the text that they edit, and their place in it.
 
 import type { ComponentChildren, ComponentType } from "preact";
-import type { Fault } from "../objects";
+import type { Fault } from "../objects/box";
 import type { Guide, Schema } from "../schema";
 import { address, type Change, type Edits, type Step, type Value } from "../tree";
 

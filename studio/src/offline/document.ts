@@ -15,6 +15,8 @@ interface Step {
 // Typing that stops for so long begins a new step (ms).
 const PAUSE = 600;
 const LARGEST = 1 << 20;
+// Steps that are listed, back and forward each.
+const LISTED = 200;
 
 export class Document {
   version = 0;
@@ -75,6 +77,35 @@ export class Document {
     if (!step) return null;
     (back ? this.undone : this.done).push({ ...step, group: "alone" });
     return this.make(back ? step.all.invert(step.before) : step.all);
+  }
+
+  // The steps as the program lists them: what takes them back one after the other, what does them again.
+  get steps() {
+    const { version, done, undone } = this;
+    return {
+      version,
+      count: done.length,
+      done: done
+        .slice(-LISTED)
+        .reverse()
+        .map(({ all, before }) => [all.invert(before).toJSON()]),
+      undone: undone
+        .slice(-LISTED)
+        .reverse()
+        .map(({ all }) => [all.toJSON()]),
+      more: done.length > LISTED,
+    };
+  }
+
+  // Takes steps back, or does them again, until so many are done; the changes that do it.
+  goTo(count: number, version: number): unknown[] {
+    if (version !== this.version) throw new Error("the text was changed meanwhile: choose the step again");
+    const changes: unknown[] = [];
+    for (let one: unknown = true; one && this.done.length !== count; ) {
+      one = this.step(this.done.length > count);
+      if (one) changes.push(one);
+    }
+    return changes;
   }
 
   // Puts another text in its place, as one step.

@@ -214,6 +214,9 @@ export class Tab implements Link {
       case "redo":
         this.updated(document, document.version, [document.step(message.type === "undo")], "0");
         return;
+      case "go_to":
+        this.updated(document, document.version, document.goTo(message.count, message.version), "0");
+        return;
       case "save":
         this.save(document);
         return;
@@ -428,6 +431,7 @@ export class Tab implements Link {
   async get(path: string): Promise<any> {
     const { pathname, searchParams } = new URL(path, "file:///");
     if (pathname === "/api/scenes") return { folder: "this browser", scenes: this.shelf.names() };
+    if (pathname === "/api/steps" && this.document) return this.document.steps;
     const of = this.document ? this.version : { version: 0, name: "", text: "" };
     const found = await this.aside({ ask: "get", path: pathname, of, query: Object.fromEntries(searchParams) });
     if (pathname !== "/api/first") return found;

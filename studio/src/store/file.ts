@@ -36,6 +36,7 @@ const DEEDS: Record<string, string> = {
   open: "other scene",
   undo: "undoing",
   redo: "redoing",
+  go_to: "other step",
 };
 
 // Asks the server for it once it has all edits; false: no server answers.

@@ -4,7 +4,7 @@ import { computed, signal } from "@preact/signals";
 import type { Outline } from "../graph";
 import type { Parts } from "../kinds";
 import type { Message } from "../link";
-import type { Fault } from "../objects";
+import type { Fault } from "../objects/box";
 import type { Guide } from "../schema";
 import { renew } from "./steady";
 import { editor } from "./text";
