@@ -251,6 +251,16 @@ class Scene:
         threads: int | None,
         progress: _Progress | None,
     ) -> tuple[Answer, bool]: ...
+    def optimize(
+        self,
+        vary: list[str],
+        subject: list[str],
+        maximize: str | None,
+        minimize: str | None,
+        starts: int,
+        threads: int | None,
+        progress: _Progress | None,
+    ) -> tuple[Answer, bool, str | None]: ...
     def gradient(
         self,
         by: list[str],

@@ -33,6 +33,7 @@ __all__ = [
     "Linearisation",
     "Map",
     "Methods",
+    "Optimum",
     "Orders",
     "Record",
     "Reduction",
@@ -691,6 +692,54 @@ class FoundValue(Answer):
         found = cast("list[dict[str, dict[str, dict[str, float]]]]", document)
         ends = [(one["from"]["sample"], one["to"]["sample"]) for one in found]
         return [(float(first["value"]), float(last["value"])) for first, last in ends]
+
+
+class Optimum(Answer):
+    """The best values of several variables under conditions."""
+
+    _over_first = True
+
+    def __init__(self, answer: _dam.Answer, answered: bool, text: str | None) -> None:
+        super().__init__(answer)
+        self._answered = answered
+        self._text = text
+
+    @property
+    def answered(self) -> bool:
+        """Whether there is an optimum that stands."""
+        return self._answered
+
+    @property
+    def values(self) -> dict[str, float] | None:
+        """The best values by the addresses of the variables, in the units of their ranges; `None`:
+        no place meets the conditions."""
+        best = cast("dict[str, list[float]] | None", self.document["best"])
+        if best is None:
+            return None
+        variables = cast("list[dict[str, str]]", self.document["variables"])
+        return {one["path"]: value for one, value in zip(variables, best["values"], strict=True)}
+
+    @property
+    def goal(self) -> float | None:
+        """The goal there, in SI units, or that of the variable itself."""
+        best = cast("dict[str, float] | None", self.document["best"])
+        return None if best is None else best["goal"]
+
+    @property
+    def multipliers(self) -> dict[str, float | None]:
+        """The change of the goal by that of the limit of each condition, in units of both; `None`:
+        the condition does not hold the optimum. Empty without an optimum."""
+        best = cast("dict[str, list[dict[str, float | None]]] | None", self.document["best"])
+        if best is None:
+            return {}
+        subject = cast("list[dict[str, str]]", self.document["subject"])
+        held = zip(subject, best["conditions"], strict=True)
+        return {one["text"]: own["multiplier"] for one, own in held}
+
+    @property
+    def scene_text(self) -> str | None:
+        """The scene with the best values as JSON text, for `dam.loads`."""
+        return self._text
 
 
 class Gradient(Answer):

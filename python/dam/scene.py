@@ -474,6 +474,35 @@ class Scene:
         )
         return answers.FoundValue(found, answered)
 
+    def optimize(
+        self,
+        vary: str | Sequence[str],
+        *,
+        subject: str | Sequence[str] = (),
+        maximize: str | None = None,
+        minimize: str | None = None,
+        starts: int = 8,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> answers.Optimum:
+        """The values of several variables that are best under conditions.
+
+        `vary`: variables and their ranges, `"rocker.inertia=0.05:0.4"`; with `:0.1` behind it
+        the value of the first start, with `:log` equal ratios. `subject`: conditions,
+        `"valve.pair.margin >= 50 N"`. `maximize` or `minimize`: a figure, or a variable itself.
+        `starts`: the first at the values of the scene, the others evenly in all ranges. Results do
+        not depend on `threads`."""
+        if (maximize is None) == (minimize is None):
+            raise TypeError("one of maximize and minimize is given")
+        if not 1 <= starts <= 1000:
+            raise ValueError(f"starts: {starts} is not between 1 and 1000")
+        variables = [vary] if isinstance(vary, str) else list(vary)
+        conditions = [subject] if isinstance(subject, str) else list(subject)
+        found, answered, text = self._core.optimize(
+            variables, conditions, maximize, minimize, starts, threads, _told(progress)
+        )
+        return answers.Optimum(found, answered, text)
+
     def gradient(
         self,
         by: str | Sequence[str],

@@ -4,11 +4,14 @@ use crate::answer::Answer;
 use crate::fault;
 use crate::prepared::{Prepared, prepare};
 use crate::studies::{
-    cam, compare, find, gradient, law, linear, linkages, map, methods, reduce, run, steady,
+    cam, compare, find, gradient, law, linear, linkages, map, methods, optimize, reduce, run,
+    steady,
 };
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
-use dam::ask::{CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, StrokeQuestion};
+use dam::ask::{
+    CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, OptimizeQuestion, StrokeQuestion,
+};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
@@ -590,6 +593,37 @@ impl Scene {
         })?;
         let (columns, answered) = (found.columns(), found.is_answered());
         Ok((Answer::with_columns(found, columns), answered))
+    }
+
+    #[pyo3(signature = (vary, subject, maximize, minimize, starts, threads, progress))]
+    #[allow(clippy::too_many_arguments)]
+    fn optimize(
+        &self,
+        py: Python<'_>,
+        vary: Vec<String>,
+        subject: Vec<String>,
+        maximize: Option<String>,
+        minimize: Option<String>,
+        starts: usize,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Answer, bool, Option<String>)> {
+        sound_threads(threads)?;
+        let goal = maximize.map(|of| (Aim::Maximize, of));
+        let question = OptimizeQuestion {
+            vary,
+            subject,
+            goal: goal.or(minimize.map(|of| (Aim::Minimize, of))),
+            starts,
+            threads,
+        };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            optimize::ask(scene, &question, watch)
+        })?;
+        let (columns, answered) = (found.columns(), found.is_answered());
+        let text = found.scene_text();
+        Ok((Answer::with_columns(found, columns), answered, text))
     }
 
     #[pyo3(signature = (by, figures, check, progress))]

@@ -336,3 +336,26 @@ def test_every_answer_has_all_its_forms(rocker: dam.Scene) -> None:
         assert "<html" in found.page()
         for name in found.record:
             assert isinstance(found.record[name], numpy.ndarray)
+
+
+def test_the_softest_spring_is_held_by_both_forces(scenarios: Path) -> None:
+    # Of tests/reference/design-optimum-tolerance.json, case B.
+    scene = dam.load(scenarios / "cams/eccentric_jump.json")
+    scene = scene.set("follower.masses", 0).set("cam.motion.speed", "200 rpm")
+    spring = "follower.loads.spring.spring"
+    limits = ["follower.pair.margin >= 0 N", "follower.pair.max_contact_force <= 10 N"]
+    found = scene.optimize(
+        [f"{spring}.rate=0:5000 N/m", f"{spring}.preload=0:100 N"],
+        subject=limits,
+        minimize=f"{spring}.rate",
+        starts=3,
+    )
+    assert found.answered and found.values is not None
+    assert found.values[f"{spring}.rate"] == pytest.approx(188.649084492860383, rel=1e-6)
+    assert found.values[f"{spring}.preload"] == pytest.approx(1.22701831014279234, rel=1e-6)
+    assert [found.multipliers[one] for one in limits] == pytest.approx([25.0, -25.0], rel=1e-5)
+    assert found.scene_text is not None and '"rate"' in found.scene_text
+    with pytest.raises(TypeError):
+        scene.optimize(f"{spring}.rate=0:5000")
+    with pytest.raises(dam.SceneError, match="LOW:HIGH"):
+        scene.optimize(f"{spring}.rate=5000:0", minimize=f"{spring}.rate")

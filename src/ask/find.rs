@@ -2,16 +2,15 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::dynamics::model::{Model, SpanAxis, SpanFigure};
+use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::studies::condition::Condition;
-use crate::studies::find::{Aim, FoundValue, Goal, Sample, Span, State, search};
-use crate::studies::judgement::{RunEnd, checks, ending};
+use crate::studies::find::{
+    Aim, FigureValues, FoundValue, Goal, Sample, Span, State, figures_of, search,
+};
 use crate::studies::rigid::Rigid;
-use crate::studies::run::{RunResult, run};
 use crate::studies::side_by_side::{side_by_side, threads as number_of_threads};
-use crate::studies::{Control, lookup, plausible};
-use crate::units::shown;
+use crate::studies::{Control, lookup};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -176,9 +175,6 @@ fn goal(aim: Aim, of: &str, span: &Span, model: &Model) -> Result<Goal, String> 
     })
 }
 
-/// Values of figures by their addresses, and what became of the scene.
-type FigureValues<'f> = (BTreeMap<&'f str, Option<f64>>, State);
-
 /// Evaluation of the scene at the places of a range.
 struct Evaluation<'p> {
     span: &'p Span,
@@ -250,88 +246,8 @@ impl Evaluation<'_> {
     /// outside.
     fn figures_at(&self, value: f64) -> Result<Option<FigureValues<'_>>, Error> {
         let ready = (self.prepare)(&[self.span.axis.setting(value)])?;
-        let asked = self.figures();
-        let (of_studies, of_run): (Vec<&str>, Vec<&str>) = asked.into_iter().partition(|figure| {
-            lookup::is_address(figure) && lookup::span_of_run(figure).is_none()
-        });
-        let mut found = BTreeMap::new();
-        let mut state = State::Computed;
-        if !of_run.is_empty() {
-            let mut settings = ready.settings.clone();
-            settings.spans = (of_run.iter())
-                .filter_map(|figure| lookup::span_of_run(figure))
-                .collect();
-            if !plausible::needs_samples(ready.model()) {
-                settings.samples = 0;
-            }
-            let result = run(&ready.system, &settings, self.control, &mut []);
-            let result = result.map_err(|faults| ready.diagnose(&faults))?;
-            if self.control.is_spent() {
-                return Ok(None);
-            }
-            state = state_of(&result);
-            let value = |name: &str| {
-                result
-                    .figures
-                    .value(name)
-                    .ok()
-                    .filter(|value| value.is_finite())
-            };
-            found.extend(of_run.into_iter().map(|name| (name, value(name))));
-            let missed = (settings.spans.iter())
-                .find(|span| value(&span.address).is_none() && state == State::Computed);
-            if let Some(span) = missed {
-                state = State::Refused(not_gone_through(span, result.outcome.time));
-            }
-        }
-        let subject = lookup::Subject {
-            scene: ready.scene(),
-            system: &ready.system,
-            settings: &ready.settings,
-            control: self.control,
-        };
-        for name in of_studies {
-            match lookup::figure(name, subject) {
-                _ if self.control.is_spent() => return Ok(None),
-                Ok(figure) => {
-                    found.insert(name, figure.and_then(|figure| figure.value));
-                }
-                Err(faults) if faults.iter().any(|fault| fault.code == lookup::NOT_TRUSTED) => {
-                    state = State::NotTrusted(faults[0].message.clone());
-                }
-                Err(faults) => return Err(ready.diagnose(&faults)),
-            }
-        }
-        Ok(Some((found, state)))
-    }
-}
-
-/// Why there is no value of a figure within a span.
-fn not_gone_through(span: &SpanFigure, end: f64) -> String {
-    let hint = match span.span.axis {
-        SpanAxis::Time => "give a span within the run, or a longer `run.duration`",
-        SpanAxis::Displacement { .. } => "give a span that the motion goes through",
-    };
-    format!(
-        "the run, which ends at {} s, does not go through all of `{}`: {hint}",
-        shown(end, 6),
-        span.address
-    )
-}
-
-/// What became of a run that was not ended from outside.
-fn state_of(result: &RunResult) -> State {
-    let figures = &result.figures;
-    let why = || figures.run.stopped_because.clone().unwrap_or_default();
-    if !result.is_trusted() {
-        let failed = checks(figures).into_iter().find(|check| !check.passed());
-        return State::NotTrusted(failed.map_or_else(why, |check| check.name.to_owned()));
-    }
-    match ending(figures) {
-        RunEnd::Complete => State::Computed,
-        RunEnd::OfMechanism | RunEnd::OfScene => State::Stopped(why()),
-        // (A bound on steps or switches that is spent says nothing of what comes after it.)
-        RunEnd::OfComputation | RunEnd::FromOutside => State::NotTrusted(why()),
+        let found = figures_of(self.figures(), ready.subject(self.control));
+        found.map_err(|faults| ready.diagnose(&faults))
     }
 }
 

@@ -211,7 +211,7 @@ fn named_figures(
 }
 
 /// The unit of a result; a fault where there is none of this name that has derivatives.
-fn figure_unit(figure: &str, model: &Model) -> Result<String, Box<Diagnostic>> {
+pub(super) fn figure_unit(figure: &str, model: &Model) -> Result<String, Box<Diagnostic>> {
     let elastic = model.objects.iter().filter(|part| !part.links.is_empty());
     let ids: Vec<&str> = elastic.map(|part| part.id.as_str()).collect();
     let own = ids.iter().find(|id| {

@@ -114,12 +114,7 @@ impl Mechanism {
     /// # Errors
     /// It was ended before everything was judged.
     pub fn verify_within(&self, control: &Control<'_>) -> Result<Vec<Requirement>, Error> {
-        let all = requirements::judge_requirements(lookup::Subject {
-            scene: self.scene(),
-            system: &self.system,
-            settings: &self.settings,
-            control,
-        });
+        let all = requirements::judge_requirements(self.subject(control));
         match control.is_spent() {
             true => Err(Error::question("the judging was interrupted")),
             false => Ok(all),
@@ -143,13 +138,7 @@ impl Mechanism {
         addresses: impl IntoIterator<Item = &'a str>,
         control: &Control<'_>,
     ) -> Result<(), Error> {
-        let subject = lookup::Subject {
-            scene: self.scene(),
-            system: &self.system,
-            settings: &self.settings,
-            control,
-        };
-        let attached = lookup::attach(figures, addresses, subject);
+        let attached = lookup::attach(figures, addresses, self.subject(control));
         attached.map_err(|faults| self.diagnose(&faults))
     }
 
@@ -169,6 +158,16 @@ impl Mechanism {
         let spec = self.scene().steady.clone().unwrap_or_default();
         let found = steady_motion_within(&self.system, &self.settings, &spec, control);
         found.map_err(|faults| self.diagnose(&faults))
+    }
+
+    /// What studies are asked of.
+    pub(super) fn subject<'s>(&'s self, control: &'s Control<'s>) -> lookup::Subject<'s> {
+        lookup::Subject {
+            scene: self.scene(),
+            system: &self.system,
+            settings: &self.settings,
+            control,
+        }
     }
 
     /// Faults found later, with their places.

@@ -11,6 +11,7 @@
 //! | [`map`](Scene::map) | in which range does it work | [`Map`] |
 //! | [`prepare_points`](Scene::prepare_points) | what are figures at many values of parameters | [`PreparedScene`], [`Point`] |
 //! | [`find`](Scene::find) | which value of a parameter is best under conditions | [`FoundValue`](crate::studies::find::FoundValue) |
+//! | [`optimize`](Scene::optimize) | which values of several variables are best under conditions | [`Optimization`](crate::studies::optimize::Optimization) |
 //! | [`gradient`](Scene::gradient) | how do results depend on its numbers | [`Gradient`](crate::studies::gradient::Gradient) |
 //! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
@@ -41,6 +42,7 @@ mod linkages;
 mod map;
 mod mechanism;
 mod methods;
+mod optimize;
 mod prepared;
 mod reduce;
 mod run;
@@ -58,6 +60,8 @@ pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
 pub use mechanism::{Mechanism, ModelAssessment};
+pub use optimize::OptimizeQuestion;
+pub(crate) use optimize::{SceneSource, optimize};
 pub use prepared::{PointTable, PreparedScene};
 pub use run::RunOptions;
 pub use scene::Scene;

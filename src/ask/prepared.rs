@@ -257,7 +257,7 @@ fn si_parameter(path: &str) -> Parameter {
 }
 
 /// The numbers at addresses; what is wrong with these is added to the faults.
-fn numbers(reading: &Reading, paths: &[&str], faults: &mut Vec<Diagnostic>) -> Vec<f64> {
+pub(super) fn numbers(reading: &Reading, paths: &[&str], faults: &mut Vec<Diagnostic>) -> Vec<f64> {
     if paths.is_empty() {
         let hint = "name numbers of the scene, for example rocker.inertia";
         faults.push(Diagnostic::error("question", "there are no parameters").hint(hint));

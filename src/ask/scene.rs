@@ -1,6 +1,9 @@
 //! Scenes as the library's user holds them.
 
-use super::{FindQuestion, GradientQuestion, Mechanism, ModelAssessment, PreparedScene};
+use super::optimize::{SceneSource, optimize};
+use super::{
+    FindQuestion, GradientQuestion, Mechanism, ModelAssessment, OptimizeQuestion, PreparedScene,
+};
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
@@ -15,6 +18,7 @@ use crate::studies::find::FoundValue;
 use crate::studies::forces::ForceStudy;
 use crate::studies::gradient::Gradient;
 use crate::studies::kinematics::{Kinematics, Question};
+use crate::studies::optimize::Optimization;
 use crate::studies::run::RunResult;
 use crate::studies::steady::Answer;
 use std::fmt;
@@ -379,6 +383,45 @@ impl Scene {
                 .prepare_judging(ModelAssessment::Needed, control)
         };
         super::find::find(question, &prepare, control, &|_| {})
+    }
+
+    /// The values of several variables that are best under conditions, from several starts.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// use dam::ask::OptimizeQuestion;
+    /// use dam::studies::Control;
+    /// use dam::studies::find::Aim;
+    ///
+    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
+    /// let question = OptimizeQuestion {
+    ///     vary: vec!["rocker.inertia=0.05:0.4".to_owned()],
+    ///     subject: vec!["rocker.delta_abs <= 20 mrad".to_owned()],
+    ///     goal: Some((Aim::Maximize, "rocker.inertia".to_owned())),
+    ///     starts: 2,
+    ///     ..OptimizeQuestion::default()
+    /// };
+    /// let found = scene.optimize(&question, &Control::default())?;
+    /// let best = found.best().expect("an optimum");
+    /// assert!(best.conditions[0].active);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Everything that is wrong with the question or with the scene. A start that cannot be run is
+    /// no error: it has its cause.
+    pub fn optimize(
+        &self,
+        question: &OptimizeQuestion,
+        control: &Control<'_>,
+    ) -> Result<Optimization, Error> {
+        self.built_soundly()?;
+        let source = SceneSource {
+            document: &self.document,
+            catalogue: &*self.catalogue,
+            fixed: self.settings.arguments(),
+        };
+        optimize(question, source, control, &|_| {})
     }
 
     /// Derivatives of results of the run by numbers of the scene, carried through all contacts.

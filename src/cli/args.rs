@@ -8,6 +8,7 @@ mod gradient;
 mod kinematics;
 mod linear;
 mod methods;
+mod optimize;
 mod reduce;
 pub(crate) mod scene;
 mod verify;
@@ -20,6 +21,7 @@ pub(crate) use gradient::GradientArgs;
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
+pub(crate) use optimize::OptimizeArgs;
 pub(crate) use reduce::ReduceArgs;
 pub(crate) use verify::{VerifyArgs, VerifyForm};
 
@@ -79,6 +81,8 @@ pub(crate) enum Command {
     Find(FindArgs),
     /// Derivatives of results by numbers of the scene, carried exactly through contacts
     Gradient(GradientArgs),
+    /// Find the best values of several variables under conditions, from several starts
+    Optimize(OptimizeArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -126,6 +130,7 @@ impl Command {
             | Self::Compare(CompareArgs { scene, .. })
             | Self::Find(FindArgs { scene, .. })
             | Self::Gradient(GradientArgs { scene, .. })
+            | Self::Optimize(OptimizeArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Linearise(LineariseArgs { scene, .. })
             | Self::Response(ResponseArgs { scene, .. })

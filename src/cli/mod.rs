@@ -32,6 +32,7 @@ mod manual;
 mod map;
 mod methods;
 mod new;
+mod optimize;
 mod orders;
 mod output;
 mod progress;
@@ -93,6 +94,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Compare(args) => compare::command(args),
         Command::Find(args) => find::command(args, &Terminal),
         Command::Gradient(args) => gradient::command(args),
+        Command::Optimize(args) => optimize::command(args),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Linearise(args) => linearise::command(args, &Terminal),

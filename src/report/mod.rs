@@ -50,6 +50,7 @@ pub mod map;
 pub mod math;
 pub mod mechanism;
 pub mod methods;
+pub mod optimize;
 mod order;
 pub mod orders;
 pub mod plot;

@@ -90,6 +90,14 @@ impl Condition {
     /// # Errors
     /// What is wrong and what would be right, in one sentence.
     pub fn parse(text: &str, model: &Model) -> Result<Self, String> {
+        Self::parse_with(text, &|figure| Self::unit_of(figure, model))
+    }
+
+    /// Reads a condition on a figure whose unit is known in another way.
+    pub(crate) fn parse_with(
+        text: &str,
+        unit_of: &dyn Fn(&str) -> Result<String, String>,
+    ) -> Result<Self, String> {
         let wrong = |what: String| format!("`{text}`: {what}");
         let (figure, relation, value) =
             split_condition(text).map_err(|what| wrong(format!("{what}; {FORM}")))?;
@@ -98,7 +106,7 @@ impl Condition {
             Some((value, span)) => (value.trim(), format!("{figure} from {}", span.trim())),
             None => (value, figure.to_owned()),
         };
-        let unit = Self::unit_of(&figure, model).map_err(wrong)?;
+        let unit = unit_of(&figure).map_err(wrong)?;
         let written = WrittenUnit::of(value, &unit);
         let value = quantity(value, &unit).map_err(wrong)?;
         Ok(Self {
@@ -138,6 +146,11 @@ impl Condition {
     /// counts or answers keeps it over a range.
     pub fn is_equality(&self) -> bool {
         self.relation == Relation::Equal && !self.is_count()
+    }
+
+    /// Whether the figure changes smoothly at all: it neither counts nor answers.
+    pub fn has_slopes(&self) -> bool {
+        !self.is_count()
     }
 
     fn is_count(&self) -> bool {

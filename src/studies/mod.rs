@@ -33,6 +33,7 @@ mod method;
 pub mod methods;
 #[cfg(feature = "live")]
 pub(crate) mod offer;
+pub mod optimize;
 pub mod order;
 pub mod orders;
 pub mod plausible;

@@ -143,6 +143,18 @@ const BASES: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "optimize",
+        &[
+            "scenarios/rigid/rocker_in_order.json",
+            "--vary",
+            "rocker.inertia=0.05:0.2",
+            "--subject",
+            "rocker.pair.margin >= 0",
+            "--maximize",
+            "rocker.inertia",
+        ],
+    ),
+    (
         "gradient",
         &[
             ROCKER,
@@ -255,6 +267,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--subject", &["frequency.1 <= 700 Hz"]),
     ("--maximize", &["rocker.stiffness"]),
     ("--minimize", &["rocker.delta_abs"]),
+    ("--starts", &["2"]),
     ("--digits", &["9"]),
     ("--cells", &["0:1"]),
     ("--mean-speed", &["12 rad/s"]),

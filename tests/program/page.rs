@@ -102,7 +102,25 @@ const FIVE_BAR: [&str; 6] = [
 ];
 
 /// Commands that write a page: arguments, least number of charts, whether something moves.
-const PAGES: [(&[&str], usize, bool); 16] = [
+const PAGES: [(&[&str], usize, bool); 17] = [
+    (
+        &[
+            "optimize",
+            "scenarios/rigid/rocker_in_order.json",
+            "--vary",
+            "rocker.inertia=0.05:0.2",
+            "--vary",
+            "rocker.loads.closing.constant=-900:-300",
+            "--subject",
+            "rocker.pair.margin >= 0",
+            "--minimize",
+            "rocker.peak_reaction",
+            "--starts",
+            "3",
+        ],
+        1,
+        false,
+    ),
     (&["run", "scenarios/valve_train/lift_off.json"], 6, true),
     (
         &[

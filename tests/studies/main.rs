@@ -1,4 +1,4 @@
-//! Studies: derivatives, maps, laws of motion, cams, steady motion.
+//! Studies: derivatives, best values, maps, laws of motion, cams, steady motion.
 
 mod cam;
 mod contact_force;
@@ -6,5 +6,6 @@ mod gradient;
 mod law;
 mod map;
 mod map_order;
+mod optimize;
 mod prepared;
 mod steady;

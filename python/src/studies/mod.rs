@@ -9,6 +9,7 @@ pub(crate) mod linear;
 pub(crate) mod linkages;
 pub(crate) mod map;
 pub(crate) mod methods;
+pub(crate) mod optimize;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod steady;

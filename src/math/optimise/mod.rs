@@ -7,6 +7,7 @@
 
 mod among;
 mod brent;
+pub(crate) mod constrained;
 mod parabola;
 mod pieces;
 

@@ -12,6 +12,7 @@
 //! could better is not certified.
 
 mod answer;
+mod figures;
 mod found;
 mod goal;
 mod sample;
@@ -21,6 +22,7 @@ mod span;
 mod tests;
 
 pub use answer::FoundValue;
+pub(crate) use figures::{FigureValues, figures_of};
 pub use found::{Best, ConditionEnd, FindResult, Limit, Range};
 pub use goal::{Aim, Goal};
 pub use sample::{Sample, State};

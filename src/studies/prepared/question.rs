@@ -51,7 +51,7 @@ impl PointQuestion<'_> {
     }
 
     /// Decodes the scene of a point as a whole.
-    pub(super) fn read(&self, settings: Vec<String>) -> Result<Reading, Diagnostics> {
+    pub(in crate::studies) fn read(&self, settings: Vec<String>) -> Result<Reading, Diagnostics> {
         let all = self.fixed.iter().cloned().chain(settings);
         self.document.scene(&*self.catalogue, &Overrides::new(all))
     }

@@ -1,0 +1,424 @@
+//! The best values of several variables under conditions.
+
+use super::gradient::figure_unit;
+use super::prepared::numbers;
+use super::{Mechanism, ModelAssessment};
+use crate::Error;
+use crate::dynamics::builder::spec::Level;
+use crate::dynamics::model::Model;
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
+use crate::frontend::lower::lower;
+use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, in_words};
+use crate::studies::condition::{Condition, Relation};
+use crate::studies::exact::exact_parts;
+use crate::studies::find::{Aim, Goal, figures_of};
+use crate::studies::gradient::names;
+use crate::studies::optimize::{
+    AskedFigure, FinerCheck, MOST_STARTS, MOST_VARIABLES, Optimization, STARTS, Task, Variable,
+    optimize as find_optimum,
+};
+use crate::studies::prepared::{PointQuestion, Prepared, finest_levels};
+use crate::studies::rigid::Rigid;
+use crate::studies::side_by_side::threads as number_of_threads;
+use crate::studies::{Control, lookup};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
+
+/// Step of differences, as a share of the range, of results that are known to rounding.
+const STEP: f64 = 1e-4;
+
+/// Step of differences of results of an integrated run, at most.
+const LONGEST_STEP: f64 = 0.02;
+
+/// Share of its size by which a condition may be violated by a finer model.
+const FINER: f64 = 1e-4;
+
+/// What is sought.
+#[derive(Clone, Debug, Default)]
+pub struct OptimizeQuestion {
+    /// The variables and their ranges: `rocker.inertia=0.05:0.4`, with `:START` for the value of the
+    /// first start, and `:log` for equal ratios.
+    pub vary: Vec<String>,
+    /// Conditions on figures: `valve.pair.margin >= 50 N`; `valve.pair.in_working_order = true`
+    /// stands for a margin of at least zero.
+    pub subject: Vec<String>,
+    /// Which end is sought, and of what: the address of a variable, or of a figure.
+    pub goal: Option<(Aim, String)>,
+    /// Number of starts; 0: [`STARTS`].
+    pub starts: usize,
+    /// Number of threads; default: one for every processor core. Results do not depend on it.
+    pub threads: Option<usize>,
+}
+
+/// A scene as it is written.
+#[derive(Clone, Copy)]
+pub(crate) struct SceneSource<'s> {
+    pub(crate) document: &'s Document,
+    pub(crate) catalogue: &'s (dyn Catalogue + Sync),
+    /// Settings made before everything else.
+    pub(crate) fixed: &'s [String],
+}
+
+impl SceneSource<'_> {
+    fn read(&self, further: &[String]) -> Result<Reading, Diagnostics> {
+        let all = self.fixed.iter().chain(further).cloned();
+        self.document.scene(self.catalogue, &Overrides::new(all))
+    }
+}
+
+/// Finds the best values. `heard`: receives the number of places that were looked at, from any
+/// thread.
+///
+/// # Errors
+/// As of [`Scene::optimize`](super::Scene::optimize).
+pub(crate) fn optimize(
+    question: &OptimizeQuestion,
+    source: SceneSource<'_>,
+    control: &Control<'_>,
+    heard: &(dyn Fn(usize) + Sync),
+) -> Result<Optimization, Error> {
+    if cfg!(target_family = "wasm") {
+        let message = "a browser tab has no optimiser; `dam optimize` and `dam studio` have one";
+        return Err(Error::question(message));
+    }
+    let reading = source.read(&[])?;
+    let model = lower(&reading.scene).map_err(|faults| reading.places.diagnose(&faults))?;
+    let resolved = Resolved::of(question, &reading, &model, source)?;
+    let names: Vec<String> = (resolved.figures.iter())
+        .filter(|one| one.index.is_some())
+        .map(|one| one.address.clone())
+        .collect();
+    let is_rigid = names.iter().any(|figure| lookup::is_rigid(figure));
+    let rigid = Rigid::label(&model, &["dam run"]).filter(|_| is_rigid);
+    let levels = finest_levels(std::iter::once(source.read(&[])?), &names);
+    let base = ready(source.read(&[])?, &levels, control)?;
+    let prepared = Prepared::new(PointQuestion {
+        document: Arc::new(
+            source
+                .document
+                .without_expectations()
+                .with_levels(levels.clone()),
+        ),
+        catalogue: Arc::new(source.catalogue),
+        fixed: source.fixed.to_vec(),
+        parameters: resolved.variables.iter().map(Variable::parameter).collect(),
+        figures: names,
+        digits: None,
+    });
+    let task = Task {
+        step: step(&base),
+        variables: resolved.variables,
+        conditions: resolved.conditions,
+        goal: resolved.goal,
+        figures: resolved.figures,
+        prepared,
+        why_differences: String::new(),
+        control,
+        heard,
+        looked: AtomicUsize::new(0),
+    };
+    let starts = match question.starts {
+        0 => STARTS,
+        starts => starts,
+    };
+    let threads = number_of_threads(question.threads);
+    let mut found = find_optimum(task, &resolved.own, starts, threads);
+    found.rigid = rigid;
+    if let Some(best) = found.optima.first() {
+        let each = found.variables.iter().zip(&best.values);
+        let settings: Vec<String> = each
+            .map(|(variable, value)| variable.parameter().setting(*value))
+            .collect();
+        let written = source.read(&settings)?;
+        found.scene_text = source.document.decoded(&written.places).text().to_owned();
+        found.finer = Some(finer_check(&found, written, &levels, control));
+        found.settings = settings;
+    }
+    Ok(found)
+}
+
+/// The scene at some levels of the objects that leave theirs open.
+fn ready(mut reading: Reading, levels: &Levels, control: &Control<'_>) -> Result<Mechanism, Error> {
+    reading.scene.elastic().set(&mut reading.scene, levels);
+    Mechanism::of_within(reading, ModelAssessment::Never, control)
+}
+
+/// Step of central differences: by the digits to which runs are known.
+fn step(base: &Mechanism) -> f64 {
+    let model = base.model();
+    let is_rigid = model.objects.iter().all(|part| part.links.is_empty());
+    match is_rigid || exact_parts(&base.system).is_ok() {
+        true => STEP,
+        false => base.settings.tolerance.cbrt().clamp(STEP, LONGEST_STEP),
+    }
+}
+
+/// The question as the scene has it.
+struct Resolved {
+    variables: Vec<Variable>,
+    conditions: Vec<Condition>,
+    goal: Goal,
+    figures: Vec<AskedFigure>,
+    /// Values of the variables in the scene, in their units.
+    own: Vec<f64>,
+}
+
+impl Resolved {
+    /// All that is wrong with the question at once.
+    fn of(
+        question: &OptimizeQuestion,
+        reading: &Reading,
+        model: &Model,
+        source: SceneSource<'_>,
+    ) -> Result<Self, Error> {
+        let mut wrong: Vec<Diagnostic> = Vec::new();
+        let mut fault = |what: String| wrong.push(Diagnostic::error("question", what));
+        let mut variables = Vec::new();
+        for text in &question.vary {
+            match Variable::parse(text) {
+                Ok(mut variable) => {
+                    variable.unit = variable.parameter().display_unit(model);
+                    variables.push(variable);
+                }
+                Err(what) => fault(format!("--vary {what}")),
+            }
+        }
+        if question.vary.is_empty() || variables.len() > MOST_VARIABLES {
+            fault(format!(
+                "--vary: 1 to {MOST_VARIABLES} variables can be chosen, and {} are named",
+                question.vary.len()
+            ));
+        }
+        if question.starts > MOST_STARTS {
+            fault(format!(
+                "--starts {}: at most {MOST_STARTS} starts",
+                question.starts
+            ));
+        }
+        let mut conditions = Vec::new();
+        for text in &question.subject {
+            match condition(text, model) {
+                Ok(condition) => conditions.push(condition),
+                Err(what) => fault(format!("--subject {what}")),
+            }
+        }
+        let goal = match &question.goal {
+            Some((aim, of)) => goal(*aim, of, &variables, model),
+            None => Err("nothing is to be best: name it with --minimize or --maximize".to_owned()),
+        };
+        let goal = goal.map_err(&mut fault).ok();
+        let paths: Vec<&str> = variables.iter().map(|one| one.path.as_str()).collect();
+        let known = wrong.is_empty();
+        let own = match paths.is_empty() {
+            true => Vec::new(),
+            false => numbers(reading, &paths, &mut wrong),
+        };
+        if known && wrong.is_empty() {
+            wrong.extend(refused_values(&variables, source));
+        }
+        let (Some(goal), true) = (goal, wrong.is_empty()) else {
+            return Err(Diagnostics::new(Sources::default(), wrong).into());
+        };
+        let own = own.iter().zip(&variables);
+        let own = own.map(|(value, variable)| value / variable.size).collect();
+        Ok(Self {
+            figures: figures(&goal, &conditions, model),
+            variables,
+            conditions,
+            goal,
+            own,
+        })
+    }
+}
+
+/// What is wrong with values within the ranges: units, numbers that count.
+fn refused_values(variables: &[Variable], source: SceneSource<'_>) -> Vec<Diagnostic> {
+    let mut wrong = Vec::new();
+    for variable in variables {
+        // (Between the ends no number is whole by chance.)
+        let between = variable.low + 0.4321 * (variable.high - variable.low);
+        let Err(found) = source.read(&[variable.parameter().setting(between)]) else {
+            continue;
+        };
+        for fault in found.items {
+            let counts = fault.message.contains("whole number");
+            if counts || fault.code.contains("unit") || fault.code.contains("dimension") {
+                let path = &variable.path;
+                let message = match counts {
+                    true => format!("--vary {path}: it counts, and has no slopes"),
+                    false => format!("--vary {path}: {}", fault.message),
+                };
+                let own = Diagnostic::error("question", message);
+                wrong.push(match counts {
+                    true => own.hint(format!("compare its values: dam compare --over {path}=…")),
+                    false => fault.hints.into_iter().fold(own, Diagnostic::hint),
+                });
+            }
+        }
+    }
+    wrong
+}
+
+/// A condition; of working order that on the least contact force.
+fn condition(text: &str, model: &Model) -> Result<Condition, String> {
+    let unit = |figure: &str| unit_of(figure, model);
+    let found = Condition::parse_with(text, &unit)?;
+    let owner = found.figure.strip_suffix("in_working_order");
+    let found = match (owner, found.relation, found.value) {
+        (Some(owner), Relation::Equal | Relation::AtLeast, 1.0) => {
+            let stated = format!("{owner}margin >= 0");
+            let margin = Condition::parse_with(&stated, &unit)
+                .map_err(|_| format!("`{text}`: there is no `{owner}margin` here to be held"))?;
+            Condition {
+                text: found.text,
+                ..margin
+            }
+        }
+        _ => found,
+    };
+    match found.has_slopes() {
+        true => Ok(found),
+        false => Err(format!(
+            "`{text}`: `{}` counts or answers, and has no slopes; hold a result that changes \
+             smoothly, for example `pair.margin >= 0`",
+            found.figure
+        )),
+    }
+}
+
+/// Unit of a result of a run or study, or of one that comes with the derivatives alone.
+fn unit_of(figure: &str, model: &Model) -> Result<String, String> {
+    Condition::unit_of(figure, model).or_else(|what| figure_unit(figure, model).map_err(|_| what))
+}
+
+fn goal(aim: Aim, of: &str, variables: &[Variable], model: &Model) -> Result<Goal, String> {
+    let variable = variables.iter().find(|one| one.path == of);
+    let unit = match variable {
+        Some(variable) => variable.unit.clone(),
+        None => unit_of(of, model).map_err(|what| {
+            format!(
+                "--{} {of}: {what}; name a result, or a variable",
+                match aim {
+                    Aim::Maximize => "maximize",
+                    Aim::Minimize => "minimize",
+                }
+            )
+        })?,
+    };
+    Ok(Goal {
+        aim,
+        of: of.to_owned(),
+        is_parameter: variable.is_some(),
+        unit,
+    })
+}
+
+/// The figures of the goal and of the conditions, each once.
+fn figures(goal: &Goal, conditions: &[Condition], model: &Model) -> Vec<AskedFigure> {
+    let of_goal = (!goal.is_parameter).then_some((&goal.of, &goal.unit));
+    let of_conditions = conditions.iter().map(|one| (&one.figure, &one.unit));
+    let mut found: BTreeMap<&String, &String> = BTreeMap::new();
+    found.extend(of_goal.into_iter().chain(of_conditions));
+    let mut count = 0;
+    let asked = |(address, unit): (&String, &String)| {
+        let is_of_run = Condition::unit_of(address, model).is_ok();
+        let index = is_of_run.then_some(count);
+        count += usize::from(is_of_run);
+        let name = names().iter().any(|name| {
+            let rest = address.strip_suffix(name);
+            rest.is_some_and(|rest| rest.ends_with('.'))
+        });
+        AskedFigure {
+            address: address.clone(),
+            unit: unit.clone(),
+            index,
+            smooth: name && figure_unit(address, model).is_ok(),
+        }
+    };
+    found.into_iter().map(asked).collect()
+}
+
+/// The best optimum by a model one level finer.
+fn finer_check(
+    found: &Optimization,
+    mut reading: Reading,
+    levels: &Levels,
+    control: &Control<'_>,
+) -> FinerCheck {
+    let mut check = FinerCheck::default();
+    let refused = |check: FinerCheck, why_not: String| FinerCheck { why_not, ..check };
+    let Some(best) = found.optima.first() else {
+        return check;
+    };
+    reading.scene.elastic().set(&mut reading.scene, levels);
+    let elastic = reading.scene.elastic();
+    let refined = |(id, (_, level)): (&String, &(_, Option<Level>))| {
+        let level = level.filter(|level| level.coordinates() > 0)?;
+        Some((id.clone(), level.refined(2)?))
+    };
+    let refined: Levels = elastic.objects.iter().filter_map(refined).collect();
+    if refined.is_empty() {
+        let why = "no elastic object has masses or modes of which it could have more";
+        return refused(check, why.to_owned());
+    }
+    check.levels = in_words(&refined);
+    let finer = match ready(reading, &refined, control) {
+        Ok(finer) => finer,
+        Err(error) => return refused(check, error.to_string()),
+    };
+    let of_goal = (!found.goal.is_parameter).then_some(found.goal.of.as_str());
+    let of_conditions = found.conditions.iter().map(|one| one.figure.as_str());
+    let mut names: Vec<&str> = of_conditions.chain(of_goal).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.retain(|name| Condition::unit_of(name, finer.model()).is_ok());
+    let figures = match figures_of(names, finer.subject(control)) {
+        Ok(Some((figures, _))) => figures,
+        Ok(None) => return refused(check, "ended before it was known".to_owned()),
+        Err(faults) => {
+            let first = faults.first().map_or("", |fault| fault.message.as_str());
+            return refused(check, first.to_owned());
+        }
+    };
+    let figure = |name: &str| figures.get(name).copied().flatten();
+    check.goal = match of_goal {
+        Some(name) => figure(name),
+        None => Some(best.goal),
+    };
+    for (own, condition) in found.conditions.iter().enumerate() {
+        let Some(value) = figure(&condition.figure) else {
+            continue;
+        };
+        let before = best.conditions[own].figure;
+        let size = condition.value.abs().max(before.abs()).max(value.abs());
+        let by = match condition.relation {
+            Relation::Equal => (value - condition.value).abs(),
+            Relation::AtMost | Relation::AtLeast => -condition.margin(value),
+        };
+        if by > FINER * size {
+            check.violated.push(own);
+        }
+    }
+    check.gain = gain(found, best.goal);
+    check.moved = check.goal.map(|goal| (goal - best.goal).abs());
+    let Some(moved) = check.moved else {
+        return refused(check, "the goal has no value by the finer model".to_owned());
+    };
+    let small = check.gain.is_none_or(|gain| moved <= gain);
+    check.stands = Some(small && check.violated.is_empty());
+    check
+}
+
+/// What the optimum gains over the best start that meets the conditions where it begins.
+fn gain(found: &Optimization, best: f64) -> Option<f64> {
+    let begins = found
+        .starts
+        .iter()
+        .filter_map(|start| start.progress.first());
+    let begins = begins.filter(|(number, _)| *number == 1);
+    let least = begins
+        .map(|(_, goal)| (goal - best).abs())
+        .fold(f64::MAX, f64::min);
+    (least > 0.0 && least < f64::MAX).then_some(least)
+}

@@ -1,0 +1,193 @@
+//! One start: where it ends, and what holds it there.
+
+use super::evaluate::{ENDED, Task};
+use super::result::{StartEnd, StartResult};
+use super::scaled::{Looked, Scaled, Scales};
+use crate::math::optimise::constrained::{
+    Multipliers, Piece, Problem, SqpEnd, Values, bundle, multipliers, sqp,
+};
+
+/// A step that promises less than this, of the change of the goal over the ranges, is none.
+const ACCURACY: f64 = 1e-13;
+
+/// Most steps of a start.
+const STEPS: u64 = 200;
+
+/// A fall of the goal that counts where it has a kink.
+const FALL: f64 = 1e-11;
+
+/// Violation that counts as none, scaled.
+pub(super) const FEASIBLE: f64 = 1e-7;
+
+/// Distance from its limit within which a condition holds an optimum, scaled.
+const ACTIVE: f64 = 1e-6;
+
+/// Slope that counts as none, scaled: of a smooth optimum, and of one at a kink.
+const STATIONARY: f64 = 1e-5;
+const STATIONARY_AT_KINK: f64 = 2e-3;
+
+/// Distance from the end of a range that is rounding.
+const AT_END: f64 = 1e-12;
+
+/// A start that has ended.
+pub(super) struct Ended {
+    pub(super) result: StartResult,
+    pub(super) found: Option<EndPlace>,
+    pub(super) slopes: [usize; 2],
+}
+
+/// Where a start ended.
+#[derive(Clone)]
+pub(super) struct EndPlace {
+    pub(super) at: Vec<f64>,
+    pub(super) values: Values,
+    pub(super) figures: Vec<f64>,
+    pub(super) held: Multipliers,
+    pub(super) stationary: bool,
+    pub(super) violation: f64,
+}
+
+/// Goes from a start to where nothing is better.
+pub(super) fn go(task: &Task<'_>, scales: &Scales, start: &[f64]) -> Ended {
+    let problem = Scaled::new(task, scales);
+    let mut result = StartResult {
+        from: task.values_of(start),
+        to: None,
+        goal: None,
+        end: StartEnd::Failed,
+        why: String::new(),
+        optimum: None,
+        evaluations: 0,
+        failed: 0,
+        progress: Vec::new(),
+    };
+    let (at, end) = sqp(&problem, start, ACCURACY, STEPS);
+    let found = match end {
+        SqpEnd::NoValues => None,
+        SqpEnd::Converged | SqpEnd::Stalled => place(&problem, &at, None),
+    };
+    let found = found.map(
+        |found| match found.stationary && found.violation <= FEASIBLE {
+            true => found,
+            false => better_along_kinks(&problem, found),
+        },
+    );
+    let trace = problem.trace.borrow();
+    result.evaluations = trace.len();
+    result.failed = trace.iter().filter(|looked| looked.is_none()).count();
+    result.progress = progress(&trace, problem.sign());
+    let spent = task.control.is_spent();
+    result.end = match &found {
+        _ if spent => StartEnd::Interrupted,
+        None => StartEnd::Failed,
+        Some(found) if found.violation > FEASIBLE => StartEnd::Infeasible,
+        Some(found) if found.stationary => StartEnd::Optimum,
+        Some(_) => StartEnd::Stalled,
+    };
+    result.why = match result.end {
+        StartEnd::Failed | StartEnd::Interrupted => problem.cause.borrow().clone(),
+        StartEnd::Stalled if result.failed > 0 => {
+            format!("places nearby have no values: {}", problem.cause.borrow())
+        }
+        StartEnd::Stalled => "slopes of results are not smooth enough here".to_owned(),
+        StartEnd::Optimum | StartEnd::Infeasible => String::new(),
+    };
+    if result.why == ENDED {
+        result.why.clear();
+    }
+    if let Some(found) = &found {
+        result.to = Some(task.values_of(&found.at));
+        result.goal = Some(problem.goal(&found.at, &found.figures));
+    }
+    Ended {
+        result,
+        found,
+        slopes: problem.slopes.get(),
+    }
+}
+
+/// A place with what holds it; `pieces`: the tangents that hold there, if it is at a kink.
+pub(super) fn place(
+    problem: &Scaled<'_>,
+    at: &[f64],
+    pieces: Option<&[Piece]>,
+) -> Option<EndPlace> {
+    let at: Vec<f64> = at.iter().map(|x| snapped(*x)).collect();
+    let at = at.as_slice();
+    let values = problem.values(at)?;
+    let figures = problem.figures(at)?;
+    let active: Vec<bool> = values
+        .conditions
+        .iter()
+        .map(|value| *value >= -ACTIVE)
+        .collect();
+    let smooth = problem.slopes(at).map(|slopes| Piece::all(&slopes));
+    let held = |pieces: &[Piece]| multipliers(problem, at, &active, pieces);
+    let of_slopes = smooth.as_deref().map(held);
+    let of_pieces = pieces.filter(|pieces| !pieces.is_empty()).map(held);
+    let (held, limit) = match (of_slopes, of_pieces) {
+        (Some(smooth), Some(kink)) if smooth.residual <= STATIONARY.max(kink.residual) => {
+            (smooth, STATIONARY)
+        }
+        (_, Some(kink)) => (kink, STATIONARY_AT_KINK),
+        (Some(smooth), None) => (smooth, STATIONARY),
+        (None, None) => return None,
+    };
+    Some(EndPlace {
+        at: at.to_vec(),
+        violation: values.violation(problem.equalities()),
+        stationary: held.residual <= limit,
+        values,
+        figures,
+        held,
+    })
+}
+
+/// A share of the range; at its end, if rounding alone keeps it away.
+fn snapped(share: f64) -> f64 {
+    match share {
+        share if share.abs() <= AT_END => 0.0,
+        share if (1.0 - share).abs() <= AT_END => 1.0,
+        share => share,
+    }
+}
+
+/// Goes on where slopes jump.
+fn better_along_kinks(problem: &Scaled<'_>, from: EndPlace) -> EndPlace {
+    let Some(found) = bundle(problem, &from.at, FALL) else {
+        return from;
+    };
+    match place(problem, &found.at, Some(&found.pieces)) {
+        Some(found) if is_better(&found, &from) => found,
+        Some(found) if found.stationary && found.violation <= FEASIBLE => found,
+        Some(_) | None => from,
+    }
+}
+
+/// Whether one place is better than another: less violated, or as good and with a better goal.
+pub(super) fn is_better(one: &EndPlace, other: &EndPlace) -> bool {
+    let feasible = [one, other].map(|end| end.violation <= FEASIBLE);
+    match feasible {
+        [true, true] => one.values.objective < other.values.objective,
+        [true, false] => true,
+        [false, true] => false,
+        [false, false] => one.violation < other.violation,
+    }
+}
+
+/// The best goal so far, where it was bettered.
+fn progress(trace: &[Option<Looked>], sign: f64) -> Vec<(usize, f64)> {
+    let mut best: Vec<(usize, f64)> = Vec::new();
+    for (number, looked) in trace.iter().enumerate() {
+        let Some(looked) = looked.as_ref().filter(|one| one.violation <= FEASIBLE) else {
+            continue;
+        };
+        if best
+            .last()
+            .is_none_or(|(_, goal)| sign * looked.goal < sign * goal)
+        {
+            best.push((number + 1, looked.goal));
+        }
+    }
+    best
+}
