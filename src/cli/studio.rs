@@ -24,7 +24,6 @@ pub(crate) fn command(args: &StudioArgs) -> Result<Status, Failure> {
 #[cfg(not(feature = "studio"))]
 pub(crate) fn command(_: &StudioArgs) -> Result<Status, Failure> {
     Err(Failure::Other(
-        "this dam was built without its studio: build it with --features studio"
-            .to_owned(),
+        "this dam was built without its studio: build it with --features studio".to_owned(),
     ))
 }
