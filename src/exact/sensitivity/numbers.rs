@@ -65,8 +65,10 @@ impl<N: Number> LawNumbers<N> {
                     let sizes = table.parts.iter().map(|part| of(part).abs());
                     LAW_ROUNDING * sizes.fold(0.0, f64::max)
                 };
-                let value = greatest(&|part| part.value);
-                let speed = greatest(&|part| part.speed);
+                // (At the starts of its parts a cam with dwells may stand still everywhere.)
+                let speed = |part: &LawPart| part.speed.abs() + part.size * part.length;
+                let value = greatest(&|part| part.value.abs() + speed(part) * part.length);
+                let speed = greatest(&speed);
                 let bend = greatest(&|part| part.size);
                 let parts = table.parts.iter().map(|part| PartNumbers {
                     start: make(part.start, part.start),

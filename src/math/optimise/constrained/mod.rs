@@ -3,7 +3,7 @@
 //! All variables run from 0 to 1. Functions and conditions are scaled to about 1 by who asks.
 //!
 //! - [`sqp()`]: sequential quadratic programming for what is smooth (Kraft 1988).
-//! - [`bundle`]: where a greatest value is reached at several places, its slope jumps. The model is
+//! - [`bundle()`]: where a greatest value is reached at several places, its slope jumps. The model is
 //!   then the greatest of the tangents at the places known (Kelley 1960), within a trust region.
 //! - [`multipliers()`]: which conditions hold an optimum, and what each is worth. They are a second
 //!   opinion on the optimum: nothing of them comes from the methods that found it.
