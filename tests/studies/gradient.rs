@@ -253,6 +253,12 @@ fn derivatives_of_other_laws_agree_with_differences_of_runs() {
             ["cam.motion.speed", "lever.position.cam.lift"],
             "lever.delta_max",
         ),
+        // At the start of every part of its law it stands still.
+        (
+            "../src/frontend/scene/templates/lever",
+            ["camshaft.motion.speed", "lever.position.cam.lift"],
+            "lever.delta_max",
+        ),
     ] {
         let scene = Scene::read(format!("scenarios/{scene}.json")).expect("scene");
         let found = ask(&scene, &by, &[figure.to_owned()], true);

@@ -32,6 +32,9 @@ const WAY: f64 = 0.1;
 /// Rounding of a result of a run, relative.
 const ROUNDING: f64 = 4e-13;
 
+/// The same of a mean: runs take it by quadrature.
+const QUADRATURE: f64 = 1e-9;
+
 /// Steps of different lengths of which each result takes the one that resolves it best.
 const LEVELS: u32 = 3;
 
@@ -213,6 +216,10 @@ impl Checker<'_> {
             return None;
         }
         let slope = |index: usize| {
+            let rounding = match self.subject.figures[index].0.ends_with(".sigma") {
+                true => QUADRATURE,
+                false => ROUNDING,
+            };
             let values: Vec<f64> = all.iter().map(|one| one.0[index]).collect::<Option<_>>()?;
             let [a, b, c, d, e] = values[..] else {
                 return None;
@@ -233,7 +240,7 @@ impl Checker<'_> {
                 .fold(0.0, |most: f64, value| most.max(value.abs()));
             let (fine, apart) = (fine / step, (fine - coarse).abs() / step);
             let higher = apart * (30.0 * apart / fine.abs().max(apart)).min(1.0);
-            Some((fine, higher + ROUNDING * size / step))
+            Some((fine, higher + rounding * size / step))
         };
         Some((0..self.subject.figures.len()).map(slope).collect())
     }
