@@ -181,7 +181,7 @@ fn value_at<'v>(canonical: &'v Value, path: &str) -> Option<&'v Value> {
 }
 
 /// The results of every elastic object that are asked for most.
-fn default_figures(model: &Model) -> Vec<(String, String)> {
+pub(super) fn default_figures(model: &Model) -> Vec<(String, String)> {
     let elastic = model.objects.iter().filter(|part| !part.links.is_empty());
     let mut all = Vec::new();
     for part in elastic {
@@ -211,7 +211,7 @@ fn named_figures(
 }
 
 /// The unit of a result; a fault where there is none of this name that has derivatives.
-fn figure_unit(figure: &str, model: &Model) -> Result<String, Box<Diagnostic>> {
+pub(super) fn figure_unit(figure: &str, model: &Model) -> Result<String, Box<Diagnostic>> {
     let elastic = model.objects.iter().filter(|part| !part.links.is_empty());
     let ids: Vec<&str> = elastic.map(|part| part.id.as_str()).collect();
     let own = ids.iter().find(|id| {

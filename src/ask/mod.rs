@@ -12,6 +12,7 @@
 //! | [`prepare_points`](Scene::prepare_points) | what are figures at many values of parameters | [`PreparedScene`], [`Point`] |
 //! | [`find`](Scene::find) | which value of a parameter is best under conditions | [`FoundValue`](crate::studies::find::FoundValue) |
 //! | [`gradient`](Scene::gradient) | how do results depend on its numbers | [`Gradient`](crate::studies::gradient::Gradient) |
+//! | [`tolerances`](Scene::tolerances) | what do tolerances of dimensions make of results | [`Tolerances`](crate::studies::tolerance::Tolerances) |
 //! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
@@ -46,6 +47,7 @@ mod reduce;
 mod run;
 mod scene;
 mod synthesis;
+mod tolerance;
 
 pub(crate) use cam::lift_off_speed;
 pub use cam::{CamQuestion, FoundCam};
@@ -58,10 +60,13 @@ pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
 pub use mechanism::{Mechanism, ModelAssessment};
+pub(crate) use prepared::PointSource;
 pub use prepared::{PointTable, PreparedScene};
 pub use run::RunOptions;
 pub use scene::Scene;
 pub use synthesis::{StrokeQuestion, Synthesis};
+pub use tolerance::ToleranceQuestion;
+pub(crate) use tolerance::tolerance;
 
 #[doc(no_inline)]
 pub use crate::studies::prepared::{Point, PointFigure};

@@ -10,6 +10,7 @@ mod linear;
 mod methods;
 mod reduce;
 pub(crate) mod scene;
+mod tolerance;
 mod verify;
 
 pub(crate) use cam::{CamArgs, CamForm};
@@ -21,6 +22,7 @@ pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
 pub(crate) use reduce::ReduceArgs;
+pub(crate) use tolerance::ToleranceArgs;
 pub(crate) use verify::{VerifyArgs, VerifyForm};
 
 use super::law::args::LawCommand;
@@ -79,6 +81,8 @@ pub(crate) enum Command {
     Find(FindArgs),
     /// Derivatives of results by numbers of the scene, carried exactly through contacts
     Gradient(GradientArgs),
+    /// What tolerances of dimensions make of results: stack, samples, the share that meets limits
+    Tolerance(ToleranceArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -126,6 +130,7 @@ impl Command {
             | Self::Compare(CompareArgs { scene, .. })
             | Self::Find(FindArgs { scene, .. })
             | Self::Gradient(GradientArgs { scene, .. })
+            | Self::Tolerance(ToleranceArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Linearise(LineariseArgs { scene, .. })
             | Self::Response(ResponseArgs { scene, .. })

@@ -46,6 +46,7 @@ mod shown;
 mod status;
 mod steady;
 mod studio;
+mod tolerance;
 mod verify;
 
 use args::{Cli, Command};
@@ -93,6 +94,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Compare(args) => compare::command(args),
         Command::Find(args) => find::command(args, &Terminal),
         Command::Gradient(args) => gradient::command(args),
+        Command::Tolerance(args) => tolerance::command(args, &Terminal),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Linearise(args) => linearise::command(args, &Terminal),

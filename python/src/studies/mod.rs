@@ -12,6 +12,7 @@ pub(crate) mod methods;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod steady;
+pub(crate) mod tolerance;
 
 use crate::answer::{Columns, Figure};
 use dam::Error;
