@@ -55,6 +55,9 @@ MORE = [
     ["optimize", *ROCKER, "--vary", "rocker.stiffness=1e6:3e6", "--starts", "1", "--subject", "frequency.1 <= 1 Hz", "--minimize", "rocker.delta_abs"],
     ["gradient", *ROCKER, "--by", "rocker.inertia,rocker.stiffness", "--figures", "rocker.delta_max,rocker.pair.separations"],
     ["gradient", "scenarios/rocker/two_masses.json", "--set", "rocker.damping_capacity=0", "--set", "run.duration=0.02", "--by", "rocker.damping_capacity"],
+    ["tolerance", *ROCKER, "--tol", "rocker.inertia=±1 %", "--tol", "rocker.stiffness=+2 -1 %", "--samples", "64", "--limit", "rocker.delta_max <= 0.1 mrad", "--figures", "rocker.pair.separations"],
+    ["tolerance", CRANK, "--tol", "mechanism.links.crank.points.A[0]=±0.1 mm", "--figures", "kinematics.mechanism.slide.stroke", "--samples", "0"],
+    ["tolerance", "scenarios/limits/short_rod.json", "--set", "slide.position.slider_crank.crank=79.99 mm", "--tol", "slide.position.slider_crank.rod=±0.03 mm", "--limit", "slide.final.displacement <= 1 m", "--samples", "64"],
     ["cam", TAPPET, "--lift-off"],
     ["cam", "scenarios/cams/yarn_traverse.json", "--cutter", "10 mm"],
     ["forces", CRANK, "--compare-massless", "1,10"],
@@ -141,7 +144,7 @@ def gathered(program: str, jobs: int) -> dict[str, list[Any]]:
 MAPS = re.compile(
     r"dam (run|compare/runs\[\]/figures)/(units|objects|studies)|.*/run/(first_times|undetermined_times)"
     r"|dam (run|reduce)/accuracy|.*/models\[\]/(errors|values)|.*/(changes|losses|levels|extremes|columns)"
-    r"|dam gradient/(parameters|gradients(/\*/by)?)|dam reduce/objects|.*/periodic/drive/start|.*/summary/verdicts|.*/given/levels"
+    r"|dam gradient/(parameters|gradients(/\*/by)?|tolerance/figures(/\*/by)?)|dam reduce/objects|.*/periodic/drive/start|.*/summary/verdicts|.*/given/levels"
 )
 # Members of a form of their own.
 SCENE = "dam reduce/reduced"
@@ -385,6 +388,17 @@ MEANINGS: dict[str, str] = {
     "dam gradient/events": "Number of events of the motion.",
     "dam gradient/gradients": "Results with their derivatives by every parameter, what each is worth, and where it holds.",
     "dam gradient/parameters": "Numbers of the scene, in SI units.",
+    "dam tolerance/complete": "True when all samples were run.",
+    "dam tolerance/failures": "Samples that could not be run or judged, by their causes.",
+    "dam tolerance/figures": "Results: at nominal values and in the middle of the tolerances, stack, distribution, effect of every number.",
+    "dam tolerance/limits": "Limits, each with the share of samples that meet it.",
+    "dam tolerance/remarks": "What is to be known of all results.",
+    "dam tolerance/samples": "Number of samples.",
+    "dam tolerance/samples_requested": "Number of samples that were requested.",
+    "dam tolerance/seed": "Seed of the samples.",
+    "dam tolerance/tolerances": "Numbers of the scene with their tolerances; several deviate by the same. In SI units.",
+    "dam tolerance/yield": "Share of the samples that meet all limits, with its interval; null without samples.",
+    "dam tolerance/yield_without_failures": "The same among the samples that did not fail.",
     "dam verify/holds": "True when every requirement holds.",
     "dam verify/scenes": "Each scene with its requirements and their judgement.",
     "dam linearise/A": "Matrix A of ẋ = A·x + B·u, a list of its rows.",

@@ -268,5 +268,15 @@ class Scene:
         check: bool | None,
         progress: _Progress | None,
     ) -> tuple[Answer, bool]: ...
+    def tolerance(
+        self,
+        tolerances: list[str],
+        figures: list[str],
+        limits: list[str],
+        samples: int,
+        seed: int,
+        threads: int | None,
+        progress: _Progress | None,
+    ) -> tuple[Answer, bool]: ...
     def verify(self, progress: _Progress | None = None) -> tuple[Answer, bool, str]: ...
     def reduce(self, progress: _Progress | None = None) -> tuple[Answer, Scene, bool]: ...

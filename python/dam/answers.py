@@ -767,6 +767,51 @@ class Gradient(Answer):
         return found[figure]["by"][by]
 
 
+class Tolerances(Answer):
+    """The tolerance of results: stack, effects of the dimensions, samples, yield."""
+
+    def __init__(self, answer: _dam.Answer, answered: bool) -> None:
+        super().__init__(answer)
+        self._answered = answered
+
+    @property
+    def answered(self) -> bool:
+        """Whether every result has a value in the middle of the tolerances."""
+        return self._answered
+
+    @property
+    def share(self) -> float | None:
+        """Share of the samples that meet all limits; `None`: there are no samples."""
+        return cast("float | None", self._yield("value"))
+
+    @property
+    def interval(self) -> tuple[float, float] | None:
+        """Interval of that share, with 95 % confidence."""
+        found = self._yield("within")
+        return None if found is None else cast("tuple[float, float]", tuple(cast("list[float]", found)))
+
+    def worst_case(self, figure: str) -> tuple[float, float] | None:
+        """Least and greatest result of first order; `None`: a derivative is not known."""
+        found = cast("dict[str, list[float]] | None", self._of(figure)["first_order"])
+        return None if found is None else (found["worst_case"][0], found["worst_case"][1])
+
+    def sigma(self, figure: str) -> float | None:
+        """Standard deviation of a result by first order."""
+        found = cast("dict[str, float] | None", self._of(figure)["first_order"])
+        return None if found is None else found["sigma"]
+
+    def effect(self, figure: str, dimension: str) -> dict[str, Json]:
+        """What a dimension does to a result: derivative, contribution, indices, …"""
+        return cast("dict[str, dict[str, Json]]", self._of(figure)["by"])[dimension]
+
+    def _of(self, figure: str) -> dict[str, Json]:
+        return cast("dict[str, dict[str, Json]]", self.document["figures"])[figure]
+
+    def _yield(self, name: str) -> Json:
+        found = cast("dict[str, dict[str, Json]] | None", self.document["yield"])
+        return None if found is None else found["share"][name]
+
+
 class Requirements(Answer):
     """What a scene expects, judged."""
 

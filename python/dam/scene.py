@@ -521,6 +521,36 @@ class Scene:
         found = self._core.gradient(paths, named, check, _told(progress))
         return answers.Gradient(*found)
 
+    def tolerance(
+        self,
+        tolerances: Mapping[str, str] | str | Sequence[str],
+        figures: str | Sequence[str] = (),
+        *,
+        limits: str | Sequence[str] = (),
+        samples: int = 4096,
+        seed: int = 1,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> answers.Tolerances:
+        """What tolerances of dimensions make of results.
+
+        `tolerances`: addresses of numbers with their tolerances, `{"rocker.pair.gap": "±0.02 mm"}`:
+        normal with three standard deviations to a limit, with `uniform` behind it if so;
+        `"+0.01 -0.03 mm"`, `"±1 %"`, of a length `"h7"`. Numbers that deviate by the same have
+        commas between them. `limits`: conditions that samples are to meet,
+        `"rocker.delta_max <= 0.2 mrad"`. `samples=0`: the stack alone. The columns of the answer
+        are the samples. Results do not depend on `threads`."""
+        if isinstance(tolerances, Mapping):
+            written = [f"{path}={tolerance}" for path, tolerance in tolerances.items()]
+        else:
+            written = [tolerances] if isinstance(tolerances, str) else list(tolerances)
+        named = [figures] if isinstance(figures, str) else list(figures)
+        conditions = [limits] if isinstance(limits, str) else list(limits)
+        found = self._core.tolerance(
+            written, named, conditions, samples, seed, threads, _told(progress)
+        )
+        return answers.Tolerances(*found)
+
     def verify(self, *, progress: Progress | None = None) -> answers.Requirements:
         """Everything that the scene expects (`expect`), judged by every study that it takes."""
         return answers.Requirements(*self._core.verify(_told(progress)))

@@ -5,12 +5,13 @@ use crate::fault;
 use crate::prepared::{Prepared, prepare};
 use crate::studies::{
     cam, compare, find, gradient, law, linear, linkages, map, methods, optimize, reduce, run,
-    steady,
+    steady, tolerance,
 };
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
 use dam::ask::{
     CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, OptimizeQuestion, StrokeQuestion,
+    ToleranceQuestion,
 };
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
@@ -642,6 +643,36 @@ impl Scene {
         })?;
         let answered = found.is_answered();
         let columns = crate::answer::Columns::default();
+        Ok((Answer::with_columns(found, columns), answered))
+    }
+
+    #[pyo3(signature = (tolerances, figures, limits, samples, seed, threads, progress))]
+    #[allow(clippy::too_many_arguments)]
+    fn tolerance(
+        &self,
+        py: Python<'_>,
+        tolerances: Vec<String>,
+        figures: Vec<String>,
+        limits: Vec<String>,
+        samples: usize,
+        seed: u32,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Answer, bool)> {
+        sound_threads(threads)?;
+        let question = ToleranceQuestion {
+            tolerances,
+            figures,
+            limits,
+            samples,
+            seed,
+            threads,
+        };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            tolerance::ask(scene, &question, watch)
+        })?;
+        let (columns, answered) = (found.columns(), found.is_answered());
         Ok((Answer::with_columns(found, columns), answered))
     }
 

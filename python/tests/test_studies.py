@@ -311,6 +311,34 @@ def test_derivatives_go_through_contacts(scenarios: Path) -> None:
         scene.gradient("rocker.masses")
 
 
+def test_tolerances_are_those_of_a_slider_crank(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "kinetostatics/slider_crank.json")
+    crank, rod = (f"mechanism.links.{name}[0]" for name in ("crank.points.A", "rod.points.C"))
+    stroke = "kinematics.mechanism.slide.stroke"
+    found = scene.tolerance(
+        {crank: "±0.05 mm", rod: "±0.1 mm uniform"},
+        limits=f"{stroke} <= 120.05 mm",
+        samples=100,
+    )
+    assert found.answered
+    # The stroke is twice the crank.
+    assert found.worst_case(stroke) == pytest.approx((0.1199, 0.1201), rel=1e-12)
+    assert found.sigma(stroke) == pytest.approx(1e-4 / 3, rel=1e-9)
+    assert found.effect(stroke, crank)["derivative"] == pytest.approx(2.0, rel=1e-9)
+    # 1.5 standard deviations.
+    assert found.share == pytest.approx(0.93319, abs=0.03)
+    assert found.interval is not None and found.interval[0] < 0.93319 < found.interval[1]
+    samples = found.record
+    assert len(samples[stroke]) == 100
+    assert samples[stroke] == pytest.approx(2.0 * samples[crank], rel=1e-12)
+    again = scene.tolerance(
+        [f"{crank}=±0.05 mm", f"{rod}=±0.1 mm uniform"], stroke, samples=100, threads=1
+    )
+    assert (again.record[stroke] == samples[stroke]).all()
+    with pytest.raises(dam.SceneError, match="one limit"):
+        scene.tolerance({crank: "0.05 mm"}, stroke)
+
+
 def test_requirements_are_judged(scenarios: Path) -> None:
     scene = dam.load(scenarios / "steady/engine.json")
     found = scene.verify()

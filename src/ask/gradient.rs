@@ -181,7 +181,7 @@ fn value_at<'v>(canonical: &'v Value, path: &str) -> Option<&'v Value> {
 }
 
 /// The results of every elastic object that are asked for most.
-fn default_figures(model: &Model) -> Vec<(String, String)> {
+pub(super) fn default_figures(model: &Model) -> Vec<(String, String)> {
     let elastic = model.objects.iter().filter(|part| !part.links.is_empty());
     let mut all = Vec::new();
     for part in elastic {

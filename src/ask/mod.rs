@@ -13,6 +13,7 @@
 //! | [`find`](Scene::find) | which value of a parameter is best under conditions | [`FoundValue`](crate::studies::find::FoundValue) |
 //! | [`optimize`](Scene::optimize) | which values of several variables are best under conditions | [`Optimization`](crate::studies::optimize::Optimization) |
 //! | [`gradient`](Scene::gradient) | how do results depend on its numbers | [`Gradient`](crate::studies::gradient::Gradient) |
+//! | [`tolerances`](Scene::tolerances) | what do tolerances of dimensions make of results | [`Tolerances`](crate::studies::tolerance::Tolerances) |
 //! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
@@ -48,6 +49,7 @@ mod reduce;
 mod run;
 mod scene;
 mod synthesis;
+mod tolerance;
 
 pub(crate) use cam::lift_off_speed;
 pub use cam::{CamQuestion, FoundCam};
@@ -62,10 +64,13 @@ pub use map::{Map, MapQuestion};
 pub use mechanism::{Mechanism, ModelAssessment};
 pub use optimize::OptimizeQuestion;
 pub(crate) use optimize::{SceneSource, optimize};
+pub(crate) use prepared::PointSource;
 pub use prepared::{PointTable, PreparedScene};
 pub use run::RunOptions;
 pub use scene::Scene;
 pub use synthesis::{StrokeQuestion, Synthesis};
+pub use tolerance::ToleranceQuestion;
+pub(crate) use tolerance::tolerance;
 
 #[doc(no_inline)]
 pub use crate::studies::prepared::{Point, PointFigure};

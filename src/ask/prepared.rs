@@ -8,7 +8,7 @@ use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::frontend::lower::lower;
 use crate::frontend::read::did_you_mean;
-use crate::frontend::scene::{Levels, Reading, in_words};
+use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, in_words};
 use crate::studies::axis::Parameter;
 use crate::studies::clock::not_followable;
 use crate::studies::condition::Condition;
@@ -46,13 +46,47 @@ pub struct PointTable {
     figures: usize,
 }
 
-impl PreparedScene {
-    /// Prepares a scene.
+/// Text of a scene with the settings made before, and where its objects are copied from.
+pub(crate) struct PointSource<'s, 'a> {
+    /// The text.
+    pub(crate) document: &'s Document,
+    /// Where its objects are copied from.
+    pub(crate) catalogue: Arc<dyn Catalogue + Send + Sync + 'a>,
+    /// The settings.
+    pub(crate) settings: &'s [String],
+}
+
+/// Points of a scene, prepared.
+pub(crate) struct PreparedPoints<'a> {
+    /// The points.
+    pub(crate) prepared: Prepared<'a>,
+    /// SI units of the parameters; empty where none is known.
+    pub(crate) parameter_units: Vec<String>,
+    /// Values of the parameters in the scene itself (SI).
+    pub(crate) values: Vec<f64>,
+    /// SI units of the figures.
+    pub(crate) figure_units: Vec<String>,
+    /// What is to be known of the figures of all points.
+    pub(crate) remarks: Vec<String>,
+}
+
+impl<'a> PointSource<'_, 'a> {
+    /// Reads the scene with further settings.
+    pub(crate) fn decode(&self, further: &[String]) -> Result<Reading, Diagnostics> {
+        let all = self.settings.iter().chain(further).cloned();
+        self.document.scene(&*self.catalogue, &Overrides::new(all))
+    }
+
+    /// Prepares the points.
     ///
     /// # Errors
     /// As of [`Scene::prepare_points`].
-    pub(super) fn of(scene: &Scene, parameters: &[&str], figures: &[&str]) -> Result<Self, Error> {
-        let reading = scene.decode()?;
+    pub(crate) fn prepare(
+        &self,
+        parameters: &[&str],
+        figures: &[&str],
+    ) -> Result<PreparedPoints<'a>, Error> {
+        let reading = self.decode(&[])?;
         let system = system_of(&reading)?;
         let model = system.model();
         let mut faults = Vec::new();
@@ -64,28 +98,69 @@ impl PreparedScene {
         let asked: Vec<Parameter> = parameters.iter().map(|path| si_parameter(path)).collect();
         let parameter_units = asked.iter().map(|one| one.display_unit(model)).collect();
         let figures: Vec<String> = figures.iter().map(|&one| one.to_owned()).collect();
-        let mut remarks = remarks_on(&reading, model, &figures, scene)?;
+        let mut remarks = self.remarks(&reading, model, &figures)?;
         let levels = finest_levels(std::iter::once(reading), &figures);
         remarks.extend(remark_on_levels(&levels));
-        let document = scene.document().without_expectations().with_levels(levels);
-        let fixed = scene.settings().arguments().to_vec();
+        let document = self.document.without_expectations().with_levels(levels);
         let question = PointQuestion {
             document: Arc::new(document),
-            catalogue: Arc::clone(scene.catalogue()),
-            fixed,
+            catalogue: Arc::clone(&self.catalogue),
+            fixed: self.settings.to_vec(),
             parameters: asked,
             figures,
             digits: None,
         };
         // What the text of the scene does not take is seen here, and not at every point.
         question.check(&values)?;
-        Ok(Self {
-            parameters: parameters.iter().map(|&one| one.to_owned()).collect(),
+        Ok(PreparedPoints {
             prepared: Prepared::new(question),
             parameter_units,
             values,
             figure_units,
             remarks,
+        })
+    }
+
+    /// What is to be known of the figures of all points.
+    fn remarks(
+        &self,
+        reading: &Reading,
+        model: &Model,
+        figures: &[String],
+    ) -> Result<Vec<String>, Error> {
+        let rigid: Vec<&str> = (figures.iter().map(String::as_str))
+            .filter(|figure| is_rigid(figure))
+            .collect();
+        let label = Rigid::label(model, &["dam run"]).filter(|_| !rigid.is_empty());
+        let what = match rigid.as_slice() {
+            [one] => format!("{one} is"),
+            several => format!("{} are", several.join(", ")),
+        };
+        let mut remarks: Vec<String> = label.iter().map(|label| label.words(&what)).collect();
+        if reading.scene.run.accuracy.is_some() {
+            for figure in figures {
+                // (The levels of a scene are set while it is judged.)
+                remarks.extend(shortfall(self.decode(&[])?.scene, figure));
+            }
+        }
+        Ok(remarks)
+    }
+}
+
+impl PreparedScene {
+    /// Prepares a scene.
+    ///
+    /// # Errors
+    /// As of [`Scene::prepare_points`].
+    pub(super) fn of(scene: &Scene, parameters: &[&str], figures: &[&str]) -> Result<Self, Error> {
+        let found = scene.point_source()?.prepare(parameters, figures)?;
+        Ok(Self {
+            parameters: parameters.iter().map(|&one| one.to_owned()).collect(),
+            prepared: found.prepared,
+            parameter_units: found.parameter_units,
+            values: found.values,
+            figure_units: found.figure_units,
+            remarks: found.remarks,
         })
     }
 
@@ -238,7 +313,7 @@ impl Index<usize> for PointTable {
 }
 
 /// The system at the scene's own values.
-fn system_of(reading: &Reading) -> Result<System, Error> {
+pub(super) fn system_of(reading: &Reading) -> Result<System, Error> {
     let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
     let model = lower(&reading.scene).map_err(diagnose)?;
     let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
@@ -310,31 +385,6 @@ fn units_of_figures(figures: &[&str], model: &Model, faults: &mut Vec<Diagnostic
         }
     }
     units
-}
-
-/// What is to be known of the figures of all points.
-fn remarks_on(
-    reading: &Reading,
-    model: &Model,
-    figures: &[String],
-    scene: &Scene,
-) -> Result<Vec<String>, Error> {
-    let rigid: Vec<&str> = (figures.iter().map(String::as_str))
-        .filter(|figure| is_rigid(figure))
-        .collect();
-    let label = Rigid::label(model, &["dam run"]).filter(|_| !rigid.is_empty());
-    let what = match rigid.as_slice() {
-        [one] => format!("{one} is"),
-        several => format!("{} are", several.join(", ")),
-    };
-    let mut remarks: Vec<String> = label.iter().map(|label| label.words(&what)).collect();
-    if reading.scene.run.accuracy.is_some() {
-        for figure in figures {
-            // (The levels of a scene are set while it is judged.)
-            remarks.extend(shortfall(scene.decode()?.scene, figure));
-        }
-    }
-    Ok(remarks)
 }
 
 fn remark_on_levels(levels: &Levels) -> Option<String> {

@@ -2,7 +2,8 @@
 
 use super::optimize::{SceneSource, optimize};
 use super::{
-    FindQuestion, GradientQuestion, Mechanism, ModelAssessment, OptimizeQuestion, PreparedScene,
+    FindQuestion, GradientQuestion, Mechanism, ModelAssessment, OptimizeQuestion, PointSource,
+    PreparedScene, ToleranceQuestion,
 };
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
@@ -21,6 +22,7 @@ use crate::studies::kinematics::{Kinematics, Question};
 use crate::studies::optimize::Optimization;
 use crate::studies::run::RunResult;
 use crate::studies::steady::Answer;
+use crate::studies::tolerance::Tolerances;
 use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
@@ -459,6 +461,43 @@ impl Scene {
         super::gradient::gradient(question, &prepare, &numbers, control)
     }
 
+    /// The tolerance of results: what tolerances of dimensions make of them.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// use dam::ask::ToleranceQuestion;
+    /// use dam::studies::Control;
+    ///
+    /// let scene = Scene::read("scenarios/kinetostatics/slider_crank.json")?;
+    /// let question = ToleranceQuestion {
+    ///     tolerances: vec!["mechanism.links.crank.points.A[0]=±0.05 mm".to_owned()],
+    ///     figures: vec!["kinematics.mechanism.slide.stroke".to_owned()],
+    ///     samples: 16,
+    ///     ..ToleranceQuestion::default()
+    /// };
+    /// let found = scene.tolerances(&question, &Control::default())?;
+    /// let stack = found.figures[0].first_order.as_ref().expect("a stack");
+    /// // The stroke is twice the crank.
+    /// assert!((stack.worst_case[1] - (0.12 + 1e-4)).abs() < 1e-13);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The scene is wrong, or has no results in the middle of the tolerances; an address is no
+    /// number, or no result; a tolerance cannot be read.
+    pub fn tolerances(
+        &self,
+        question: &ToleranceQuestion,
+        control: &Control<'_>,
+    ) -> Result<Tolerances, Error> {
+        let prepare = |settings: &[String]| {
+            self.with_arguments(settings)
+                .prepare_judging(ModelAssessment::Needed, control)
+        };
+        let source = self.point_source()?;
+        super::tolerance::tolerance(question, &source, &prepare, control, &|_, _| {})
+    }
+
     /// Judges everything that the scene expects, in its order, by the run and the studies that
     /// it takes.
     ///
@@ -508,6 +547,19 @@ impl Scene {
             [] => Ok(()),
             faults => Err(Diagnostics::new(Default::default(), faults.to_vec()).into()),
         }
+    }
+
+    /// What its points are prepared from.
+    ///
+    /// # Errors
+    /// Something went wrong in building it.
+    pub(super) fn point_source(&self) -> Result<PointSource<'_, 'static>, Error> {
+        self.built_soundly()?;
+        Ok(PointSource {
+            document: &self.document,
+            catalogue: Arc::clone(&self.catalogue),
+            settings: self.settings.arguments(),
+        })
     }
 
     /// Where its objects are copied from.

@@ -11,6 +11,7 @@ mod methods;
 mod optimize;
 mod reduce;
 pub(crate) mod scene;
+mod tolerance;
 mod verify;
 
 pub(crate) use cam::{CamArgs, CamForm};
@@ -23,6 +24,7 @@ pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
 pub(crate) use optimize::OptimizeArgs;
 pub(crate) use reduce::ReduceArgs;
+pub(crate) use tolerance::ToleranceArgs;
 pub(crate) use verify::{VerifyArgs, VerifyForm};
 
 use super::law::args::LawCommand;
@@ -83,6 +85,8 @@ pub(crate) enum Command {
     Gradient(GradientArgs),
     /// Find the best values of several variables under conditions, from several starts
     Optimize(OptimizeArgs),
+    /// What tolerances of dimensions make of results: stack, samples, the share that meets limits
+    Tolerance(ToleranceArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -131,6 +135,7 @@ impl Command {
             | Self::Find(FindArgs { scene, .. })
             | Self::Gradient(GradientArgs { scene, .. })
             | Self::Optimize(OptimizeArgs { scene, .. })
+            | Self::Tolerance(ToleranceArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Linearise(LineariseArgs { scene, .. })
             | Self::Response(ResponseArgs { scene, .. })

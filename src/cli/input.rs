@@ -4,7 +4,7 @@ use super::console;
 use super::failure::Failure;
 use super::interrupt::{self, Stage};
 use super::shown;
-use crate::ask::ModelAssessment;
+use crate::ask::{ModelAssessment, PointSource};
 use crate::budget::Budget;
 use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
@@ -12,6 +12,7 @@ use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, Folder, LayeredCatalogue, Overrides, Reading, read_bounded,
 };
 use std::fs;
+use std::sync::Arc;
 
 pub(crate) use crate::Mechanism as Ready;
 
@@ -89,6 +90,15 @@ impl<'a> Input<'a> {
         let mut all = self.overrides.arguments().to_vec();
         all.extend_from_slice(further);
         self.document.scene(&self.catalogue(), &Overrides::new(all))
+    }
+
+    /// What points of the scene are prepared from.
+    pub(crate) fn point_source(&self) -> PointSource<'_, '_> {
+        PointSource {
+            document: &self.document,
+            catalogue: Arc::new(self.catalogue()),
+            settings: self.overrides.arguments(),
+        }
     }
 
     /// Decodes the scene and builds its system; every fault of one stage at once.

@@ -47,6 +47,7 @@ mod shown;
 mod status;
 mod steady;
 mod studio;
+mod tolerance;
 mod verify;
 
 use args::{Cli, Command};
@@ -95,6 +96,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Find(args) => find::command(args, &Terminal),
         Command::Gradient(args) => gradient::command(args),
         Command::Optimize(args) => optimize::command(args),
+        Command::Tolerance(args) => tolerance::command(args, &Terminal),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Linearise(args) => linearise::command(args, &Terminal),

@@ -34,6 +34,7 @@ pub mod number;
 pub(crate) mod optimise;
 pub(crate) mod order;
 pub mod polynomial;
+pub(crate) mod probability;
 pub(crate) mod quadrature;
 pub(crate) mod quantity;
 pub(crate) mod roots;

@@ -12,7 +12,7 @@
 //! * [`map`]: maps over parameters; [`methods`]: methods compared.
 //! * [`findings`]: what a study found, as data, with one exporter each for text and page;
 //!   [`csv`]: tables for other programs.
-//! * [`find`]: the best value of a parameter.
+//! * [`find`]: the best value of a parameter; [`tolerance`]: what tolerances make of results.
 //! * [`fitted`]: texts in the width of a terminal.
 //! * [`law`]: laws of motion and synthesised strokes.
 //! * [`steady`]: the steady motion of a machine.
@@ -64,4 +64,5 @@ pub mod steady;
 pub mod svg;
 mod symbols;
 mod thinned;
+pub mod tolerance;
 pub mod verdict;

@@ -157,8 +157,7 @@ impl Condition {
         if self.kept {
             return true;
         }
-        let name = self.figure.rsplit('.').next().unwrap_or_default();
-        COUNTS.contains(&name)
+        counts(&self.figure)
     }
 
     /// Whether a value of the figure is right; false of one that is none. An equality is met at
@@ -170,6 +169,12 @@ impl Condition {
             Relation::Equal => found == self.value,
         }
     }
+}
+
+/// Whether a figure counts or answers, so that it has no value between two others.
+pub fn counts(figure: &str) -> bool {
+    let name = figure.rsplit('.').next().unwrap_or_default();
+    COUNTS.contains(&name)
 }
 
 impl WrittenUnit {

@@ -50,6 +50,7 @@ pub mod steady;
 pub mod studied;
 #[cfg(test)]
 pub(crate) mod testing;
+pub mod tolerance;
 mod warning;
 
 pub use settings::{Control, RunSettings, ToleranceOfAccuracy};

@@ -35,6 +35,7 @@ mod study_figures;
 mod study_verdicts;
 mod table_files;
 mod tables;
+mod tolerance;
 mod verdicts;
 mod verify;
 mod words;

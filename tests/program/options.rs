@@ -164,6 +164,18 @@ const BASES: &[(&str, &[&str])] = &[
             "rocker.inertia,rocker.stiffness",
         ],
     ),
+    (
+        "tolerance",
+        &[
+            ROCKER,
+            "--set",
+            "run.duration=0.05",
+            "--tol",
+            "rocker.inertia=±1 %",
+            "--samples",
+            "16",
+        ],
+    ),
     ("verify", &[ROCKER]),
     ("reduce", &[CLOSED, "--set", "run.duration=0.1"]),
     (
@@ -265,6 +277,9 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--abscissa", &["turns"]),
     ("--vary", &["rocker.stiffness=1e6:3e6:5"]),
     ("--subject", &["frequency.1 <= 700 Hz"]),
+    ("--limit", &["frequency.1 <= 700 Hz"]),
+    ("--tol", &["rocker.stiffness=±1 %"]),
+    ("--seed", &["2"]),
     ("--maximize", &["rocker.stiffness"]),
     ("--minimize", &["rocker.delta_abs"]),
     ("--starts", &["2"]),

@@ -13,6 +13,7 @@ pub(crate) mod optimize;
 pub(crate) mod reduce;
 pub(crate) mod run;
 pub(crate) mod steady;
+pub(crate) mod tolerance;
 
 use crate::answer::{Columns, Figure};
 use dam::Error;

@@ -41,6 +41,7 @@ pub use figures::{DEFAULT_FIGURES, names};
 pub use lowered::Place;
 pub(crate) use question::gradient;
 pub use stencil::Side;
+pub(in crate::studies) use stencil::central as central_differences;
 
 use serde::Serialize;
 

@@ -119,7 +119,12 @@ fn with_step(
 }
 
 /// Central differences of order 2m from m places on either side.
-fn central(length: usize, step: f64, above: &[Vec<f64>], below: &[Vec<f64>]) -> Vec<f64> {
+pub(in crate::studies) fn central(
+    length: usize,
+    step: f64,
+    above: &[Vec<f64>],
+    below: &[Vec<f64>],
+) -> Vec<f64> {
     let m = above.len();
     let weight = |k: usize| {
         // (−1)^{k+1}·(m!)²/(k·(m−k)!·(m+k)!)
