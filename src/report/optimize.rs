@@ -108,11 +108,14 @@ fn verdict(answer: &Optimization) -> (Sort, String, String) {
         })
         .collect();
     let goal = goal_value(answer, best.goal, DIGITS);
-    let mut headline = format!(
-        "The {} {} is {goal}",
-        answer.goal.aim.words(),
-        goal_words(answer)
-    );
+    let goal_words = goal_words(answer);
+    let mut headline = match answer.complete {
+        true => format!("The {} {goal_words} is {goal}", answer.goal.aim.words()),
+        false => format!(
+            "The {} {goal_words} so far is {goal}",
+            answer.goal.aim.words()
+        ),
+    };
     if !at.is_empty() {
         headline = format!("{headline}, at {}", at.join(", "));
     }
@@ -130,7 +133,10 @@ fn verdict(answer: &Optimization) -> (Sort, String, String) {
         (true, true, Some(true)) => (Sort::Good, "A finer model of the scene confirms it."),
         (true, true, None) => (Sort::Good, ""),
     };
-    let held = held_by(answer, best);
+    let held = match best.residual {
+        Some(_) => held_by(answer, best),
+        None => String::new(),
+    };
     let text = [held.as_str(), text].join(" ").trim().to_owned();
     (sort, format!("{headline}."), text)
 }
@@ -251,7 +257,16 @@ fn conditions_table(answer: &Optimization, best: &Optimum) -> Table {
                 &condition.text,
                 condition_words(&condition.text, &condition.figure),
             ),
-            Cell::from(figure_words(answer, at, held.figure)),
+            // At its limit the figure differs from that by rounding alone.
+            Cell::from(figure_words(
+                answer,
+                at,
+                if held.active {
+                    condition.value
+                } else {
+                    held.figure
+                },
+            )),
             Cell::from(if held.active { "at its limit" } else { "holds" }).with_outcome(Some(true)),
             Cell::from(worth),
         ]

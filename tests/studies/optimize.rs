@@ -307,3 +307,24 @@ fn wrong_questions_are_refused_with_all_that_is_wrong() {
         .unwrap_err();
     assert!(error.to_string().contains("counts"), "{error}");
 }
+
+#[test]
+fn an_end_from_outside_is_said() {
+    let flag = std::sync::atomic::AtomicBool::new(true);
+    let control = Control::interrupted_by(&flag);
+    let question = OptimizeQuestion {
+        vary: vec![format!("{PRELOAD}=0:100 N")],
+        goal: Some((Aim::Minimize, PRELOAD.to_owned())),
+        starts: 3,
+        ..OptimizeQuestion::default()
+    };
+    let scene = cam_and_spring(&case("cam_spring"));
+    let found = scene.optimize(&question, &control).expect("an answer");
+    assert!(!found.complete && found.best().is_none());
+    assert!(
+        found
+            .starts
+            .iter()
+            .all(|start| start.end == StartEnd::Interrupted)
+    );
+}

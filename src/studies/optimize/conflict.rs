@@ -2,8 +2,8 @@
 
 use super::evaluate::Task;
 use super::result::LeastViolation;
-use super::scaled::{Scaled, Scales};
-use super::start::{Ended, FEASIBLE};
+use super::scaled::{FEASIBLE, Scaled, Scales};
+use super::start::Ended;
 use crate::math::optimise::constrained::{Piece, Problem, Slopes, Values, multipliers, sqp};
 use crate::studies::condition::Relation;
 

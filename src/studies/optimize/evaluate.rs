@@ -189,6 +189,7 @@ impl Task<'_> {
         for place in places {
             match self.derivatives(place) {
                 Ok(_) => return,
+                Err(_) if self.control.is_spent() => return,
                 Err(why) => first = first.or(Some(why)),
             }
         }

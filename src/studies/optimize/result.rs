@@ -49,8 +49,9 @@ pub struct Optimum {
     /// The bounds that hold it.
     pub bounds: Vec<HeldBound>,
     /// What is left of the slope of the goal when that of everything that holds it is taken away,
-    /// as a share of the change of the goal over all ranges: zero at an optimum.
-    pub residual: f64,
+    /// as a share of the change of the goal over all ranges: zero at an optimum. Null: not known,
+    /// since the search was ended.
+    pub residual: Option<f64>,
     /// True: the slope that is left is none, so that nothing is better nearby.
     pub stationary: bool,
     /// Stretches through it along which the goal stays the same.

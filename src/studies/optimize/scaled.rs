@@ -6,6 +6,9 @@ use crate::studies::condition::Relation;
 use crate::studies::find::Aim;
 use std::cell::{Cell, RefCell};
 
+/// Violation that counts as none, scaled.
+pub(super) const FEASIBLE: f64 = 1e-7;
+
 /// Sizes of the goal and of the conditions.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scales {
@@ -32,6 +35,8 @@ pub(super) struct Scaled<'t> {
     equalities: usize,
     /// Places in the order in which they were looked at; `None`: without values.
     pub(super) trace: RefCell<Vec<Option<Looked>>>,
+    /// The best place that was looked at, with its figures and values.
+    pub(super) best: RefCell<Option<(Vec<f64>, Vec<f64>, Values)>>,
     /// Why the last place without values has none.
     pub(super) cause: RefCell<String>,
     last: RefCell<Option<(Vec<f64>, Vec<f64>)>>,
@@ -53,6 +58,7 @@ impl<'t> Scaled<'t> {
             order,
             equalities,
             trace: RefCell::default(),
+            best: RefCell::default(),
             cause: RefCell::default(),
             last: RefCell::default(),
             last_slopes: RefCell::default(),
@@ -83,11 +89,13 @@ impl<'t> Scaled<'t> {
         match self.task.figures_at(at) {
             Ok(found) => {
                 self.last.replace(Some((at.to_vec(), found.clone())));
+                let values = self.scaled(at, &found);
                 let looked = Looked {
                     goal: self.goal(at, &found),
-                    violation: self.scaled(at, &found).violation(self.equalities),
+                    violation: values.violation(self.equalities),
                 };
                 self.trace.borrow_mut().push(Some(looked));
+                self.keep_best(at, &found, values);
                 Some(found)
             }
             Err(why) => {
@@ -95,6 +103,20 @@ impl<'t> Scaled<'t> {
                 self.trace.borrow_mut().push(None);
                 None
             }
+        }
+    }
+
+    fn keep_best(&self, at: &[f64], figures: &[f64], values: Values) {
+        let rank = |values: &Values| {
+            let violation = values.violation(self.equalities);
+            match violation <= FEASIBLE {
+                true => (0.0, values.objective),
+                false => (violation, 0.0),
+            }
+        };
+        let mut best = self.best.borrow_mut();
+        if (best.as_ref()).is_none_or(|(_, _, known)| rank(&values) < rank(known)) {
+            *best = Some((at.to_vec(), figures.to_vec(), values));
         }
     }
 

@@ -4,8 +4,8 @@ use super::Optimization;
 use super::conflict::least_violation;
 use super::evaluate::Task;
 use super::result::{FlatStretch, HeldBound, HeldCondition, Optimum, SlopeSources, StartEnd};
-use super::scaled::{Scaled, Scales, goal};
-use super::start::{EndPlace, Ended, FEASIBLE, go};
+use super::scaled::{FEASIBLE, Scaled, Scales, goal};
+use super::start::{EndPlace, Ended, go};
 use crate::math::optimise::constrained::{FlatDirection, Problem, flat_directions, starts};
 use crate::studies::gradient::unit_of;
 use crate::studies::side_by_side::side_by_side;
@@ -214,7 +214,7 @@ fn optimum(problem: &Scaled<'_>, end: &EndPlace, stretches: bool) -> Optimum {
         goal: problem.goal(&end.at, &end.figures),
         conditions: conditions.into_iter().flatten().collect(),
         bounds: held_bounds(problem, end),
-        residual: end.held.residual,
+        residual: Some(end.held.residual).filter(|residual| residual.is_finite()),
         stationary: end.stationary,
         flat: flat.into_iter().map(stretch).collect(),
         starts: Vec::new(),

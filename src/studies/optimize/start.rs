@@ -2,7 +2,7 @@
 
 use super::evaluate::{ENDED, Task};
 use super::result::{StartEnd, StartResult};
-use super::scaled::{Looked, Scaled, Scales};
+use super::scaled::{FEASIBLE, Looked, Scaled, Scales};
 use crate::math::optimise::constrained::{
     Multipliers, Piece, Problem, SqpEnd, Values, bundle, multipliers, sqp,
 };
@@ -16,9 +16,6 @@ const STEPS: u64 = 200;
 /// A fall of the goal that counts where it has a kink.
 const FALL: f64 = 1e-11;
 
-/// Violation that counts as none, scaled.
-pub(super) const FEASIBLE: f64 = 1e-7;
-
 /// Distance from its limit within which a condition holds an optimum, scaled.
 const ACTIVE: f64 = 1e-6;
 
@@ -27,7 +24,7 @@ const STATIONARY: f64 = 1e-5;
 const STATIONARY_AT_KINK: f64 = 2e-3;
 
 /// Distance from the end of a range that is rounding.
-const AT_END: f64 = 1e-12;
+const AT_END: f64 = 1e-10;
 
 /// A start that has ended.
 pub(super) struct Ended {
@@ -72,6 +69,13 @@ pub(super) fn go(task: &Task<'_>, scales: &Scales, start: &[f64]) -> Ended {
             false => better_along_kinks(&problem, found),
         },
     );
+    // An end from outside keeps the best that was looked at.
+    let found = match task.control.is_spent() {
+        true => best_so_far(&problem)
+            .filter(|best| found.as_ref().is_none_or(|found| is_better(best, found)))
+            .or(found),
+        false => found,
+    };
     let trace = problem.trace.borrow();
     result.evaluations = trace.len();
     result.failed = trace.iter().filter(|looked| looked.is_none()).count();
@@ -140,6 +144,24 @@ pub(super) fn place(
         values,
         figures,
         held,
+    })
+}
+
+/// The best place that was looked at; nothing is known of what holds it.
+fn best_so_far(problem: &Scaled<'_>) -> Option<EndPlace> {
+    let (at, figures, values) = problem.best.borrow().clone()?;
+    let held = Multipliers {
+        conditions: vec![0.0; values.conditions.len()],
+        bounds: vec![0.0; at.len()],
+        residual: f64::INFINITY,
+    };
+    Some(EndPlace {
+        violation: values.violation(problem.equalities()),
+        at,
+        values,
+        figures,
+        held,
+        stationary: false,
     })
 }
 
