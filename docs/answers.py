@@ -144,7 +144,7 @@ def gathered(program: str, jobs: int) -> dict[str, list[Any]]:
 MAPS = re.compile(
     r"dam (run|compare/runs\[\]/figures)/(units|objects|studies)|.*/run/(first_times|undetermined_times)"
     r"|dam (run|reduce)/accuracy|.*/models\[\]/(errors|values)|.*/(changes|losses|levels|extremes|columns)"
-    r"|dam gradient/(parameters|gradients(/\*/by)?|tolerance/figures(/\*/by)?)|dam reduce/objects|.*/periodic/drive/start|.*/summary/verdicts|.*/given/levels"
+    r"|dam gradient/(parameters|gradients(/\*/by)?)|dam tolerance/figures(/\*/by)?|dam reduce/objects|.*/periodic/drive/start|.*/summary/verdicts|.*/given/levels"
 )
 # Members of a form of their own.
 SCENE = "dam reduce/reduced"

@@ -102,7 +102,7 @@ const FIVE_BAR: [&str; 6] = [
 ];
 
 /// Commands that write a page: arguments, least number of charts, whether something moves.
-const PAGES: [(&[&str], usize, bool); 17] = [
+const PAGES: [(&[&str], usize, bool); 18] = [
     (
         &[
             "optimize",
@@ -119,6 +119,24 @@ const PAGES: [(&[&str], usize, bool); 17] = [
             "3",
         ],
         1,
+        false,
+    ),
+    (
+        &[
+            "tolerance",
+            "scenarios/rocker/one_mass.json",
+            "--set",
+            "run.duration=0.1",
+            "--tol",
+            "rocker.inertia=±1 %",
+            "--tol",
+            "rocker.stiffness=+2 -1 % uniform",
+            "--figure",
+            "rocker.delta_max",
+            "--samples",
+            "64",
+        ],
+        2,
         false,
     ),
     (&["run", "scenarios/valve_train/lift_off.json"], 6, true),

@@ -8,10 +8,10 @@ use clap::Args;
 pub(crate) struct ToleranceArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// A number of the scene with its tolerance (may be repeated): rocker.pair.gap="±0.02 mm" or
-    /// "+-0.02 mm", normal with 3 standard deviations to a limit; "±0.02 mm uniform"; "+0.01 -0.03
-    /// mm"; "±1 %"; of a length a class, h7. Numbers that deviate by the same with commas between
-    /// them
+    /// A number of the scene with its tolerance (may be repeated): rocker.pair.gap="±0.02 mm". Other
+    /// forms are "+-0.02 mm uniform", "+0.01 -0.03 mm", "±1 %" and "h7". A limit is 3 standard
+    /// deviations from the middle unless it is uniform. Numbers with commas between them deviate by
+    /// the same
     #[arg(long, value_name = "PATH=TOLERANCE", required = true)]
     pub(crate) tol: Vec<String>,
     /// Results of the run or of other studies [default: those of the limits, else those of elastic

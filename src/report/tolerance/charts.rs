@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 const MOST_ROWS: usize = 20;
 /// Half of the height of a bar, in rows.
 const HALF_BAR: f64 = 0.3;
+/// Margin beside the bars, as a share of the widest.
+const MARGIN: f64 = 0.05;
 /// Points of a normal curve.
 const POINTS: usize = 121;
 /// Fewest and most columns of a histogram.
@@ -34,7 +36,7 @@ fn tornado(found: &Tolerances, number: usize) -> Option<Plot> {
         .collect();
     let bars = |ends: &dyn Fn(usize) -> Option<[f64; 2]>| -> Vec<(f64, f64)> {
         let each = order.iter().enumerate();
-        each.filter_map(|(row, at)| Some(bar(row as f64, ends(*at)?)))
+        each.filter_map(|(row, at)| Some(bar(row as f64 + 0.5, ends(*at)?)))
             .flatten()
             .collect()
     };
@@ -46,6 +48,7 @@ fn tornado(found: &Tolerances, number: usize) -> Option<Plot> {
         let reach = figure.effects[at].derivative? * found.dimensions[at].zone.half();
         Some([middle - reach, middle + reach])
     };
+    let runs_and_stack = [bars(&runs), bars(&stack)];
     let names = order.iter().map(|at| {
         let paths = found.dimensions[*at].paths.iter();
         paths
@@ -55,23 +58,32 @@ fn tornado(found: &Tolerances, number: usize) -> Option<Plot> {
     });
     Some(Plot {
         id: format!("{}.tornado", figure.figure),
-        title: format!("{}, one dimension at its limits", heading(&figure.figure)),
-        x: Axis::new("", &figure.unit),
+        title: format!("{}, one number at its limits", heading(&figure.figure)),
+        x: Axis {
+            range: with_margin(runs_and_stack.iter().flatten().map(|point| point.0)),
+            ..Axis::new("", &figure.unit)
+        },
         y: Axis {
             rows: names.collect(),
-            range: Some([-0.5, order.len() as f64 - 0.5]),
             ..Axis::default()
         },
         series: vec![
-            Series::line("runs", bars(&runs)),
-            Series {
-                look: LineStyle::Theory,
-                ..Series::line("first order", bars(&stack))
-            },
+            Series::line("runs", runs_and_stack[0].clone()),
+            Series::theory("first order", runs_and_stack[1].clone()),
         ],
         rules: vec![Rule::upright(middle)],
         ..Plot::default()
     })
+}
+
+/// The ends of values with a margin; `None`: they are all the same, or there are none.
+fn with_margin(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let known = values.filter(|value| value.is_finite());
+    let [low, high] = known.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    let margin = MARGIN * (high - low);
+    (low < high).then_some([low - margin, high + margin])
 }
 
 /// The outline of a bar, and a gap behind it.

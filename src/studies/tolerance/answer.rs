@@ -3,7 +3,7 @@
 use super::indices::Indices;
 use super::stack::{AtLimits, FirstOrder, NotLinear};
 use super::statistics::{QUANTILES, Spread, Yield};
-use super::study::{Dimension, Outcome};
+use super::task::{Dimension, Outcome};
 use crate::studies::condition::Condition;
 use crate::studies::gradient::unit_of;
 use crate::studies::prepared::Verdict;

@@ -6,7 +6,7 @@
 
 use super::answer::FigureTolerance;
 use super::stack::{AtLimits, corners};
-use super::study::{Evaluate, Task};
+use super::task::{Evaluate, Task};
 
 /// Most moves.
 const MOVES: usize = 8;

@@ -39,8 +39,8 @@ pub struct Indices {
     pub total: Estimate,
 }
 
-/// Indices of all dimensions from the results of the runs of each point ([`Plan::rows`]
-/// (super::Plan::rows)), all finite; `None`: there are too few points, or nothing varies.
+/// Indices of all dimensions from the results of the runs of each point ([`SamplePlan::rows`]
+/// (super::SamplePlan::rows)), all finite; `None`: there are too few points, or nothing varies.
 pub(super) fn indices(points: &[Vec<f64>]) -> Option<Vec<Indices>> {
     let count = points
         .first()?
@@ -105,7 +105,7 @@ fn estimates(points: &[Vec<f64>], chosen: &[usize], count: usize) -> Option<Vec<
 
 #[cfg(test)]
 mod tests {
-    use super::super::Plan;
+    use super::super::SamplePlan;
     use super::super::zone::{Distribution, Zone};
     use super::{Estimate, indices};
     use std::f64::consts::PI;
@@ -129,7 +129,7 @@ mod tests {
             upper: PI,
             distribution: Distribution::Uniform,
         };
-        let plan = Plan::new(vec![zone; 3], seed);
+        let plan = SamplePlan::new(vec![zone; 3], seed);
         (0..count)
             .map(|point| plan.rows(point).iter().map(|row| ishigami(row)).collect())
             .collect()

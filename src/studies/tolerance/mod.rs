@@ -8,7 +8,7 @@
 //! - Runs with one dimension at its limits: the mean shift ½Σf_ii·σ_i² of second order, and where
 //!   first order does not tell the effect of a dimension ([`NotLinear`]). Further runs search the
 //!   worst case with all dimensions in the middle or at their limits (`extremes`).
-//! - Samples ([`Plan`]): distribution ([`Spread`]), share that meets the limits ([`Yield`]),
+//! - Samples ([`SamplePlan`]): distribution ([`Spread`]), share that meets the limits ([`Yield`]),
 //!   and Sobol indices ([`Indices`]).
 //!
 //! All is about the middle of the tolerance zones, which is the mean of the samples.
@@ -28,6 +28,7 @@ mod slopes;
 mod stack;
 mod statistics;
 mod study;
+mod task;
 #[cfg(test)]
 mod tests;
 mod zone;
@@ -35,10 +36,11 @@ mod zone;
 pub use answer::{Effect, Failure, FigureTolerance, LimitYield, SlopeSource, Tolerances};
 pub use grade::Class;
 pub use indices::{Estimate, Indices, LEVEL};
-pub use sampling::{MOST_DIMENSIONS, MOST_SAMPLES, Plan};
+pub use sampling::{MOST_DIMENSIONS, MOST_SAMPLES, SamplePlan};
 pub use stack::{AtLimits, FirstOrder, NotLinear};
 pub use statistics::{QUANTILES, Spread, Yield};
-pub use study::{Dimension, Evaluate, Figure, Outcome, Task, tolerances};
+pub use study::tolerances;
+pub use task::{Dimension, Evaluate, Figure, Outcome, Task};
 pub use zone::{Distribution, SIGMAS, WrittenLimits, WrittenTolerance, Zone};
 
 /// Samples if none are named.

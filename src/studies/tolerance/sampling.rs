@@ -18,14 +18,14 @@ const HALF_STEP: f64 = 1.0 / (1 << 25) as f64;
 /// are independent. A sample whose other dimensions are those of A and whose dimension i is that
 /// of B shows the effect of i (I. M. Sobol 2001; A. Saltelli and others 2010).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct SamplePlan {
     zones: Vec<Zone>,
     seed: u32,
     /// Whether effects of single dimensions are looked at.
     mixed: bool,
 }
 
-impl Plan {
+impl SamplePlan {
     /// A plan. With one dimension there is nothing to mix.
     pub fn new(zones: Vec<Zone>, seed: u32) -> Self {
         let mixed = zones.len() > 1;
@@ -66,7 +66,7 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::super::zone::{Distribution, Zone};
-    use super::Plan;
+    use super::SamplePlan;
 
     fn zones() -> Vec<Zone> {
         let zone = |distribution| Zone {
@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn samples_have_the_distribution_of_their_zones() {
-        let plan = Plan::new(zones(), 7);
+        let plan = SamplePlan::new(zones(), 7);
         let rows: Vec<Vec<f64>> = (0..4096)
             .flat_map(|point| plan.rows(point).into_iter().take(2))
             .collect();
@@ -98,12 +98,12 @@ mod tests {
 
     #[test]
     fn a_mixed_sample_differs_from_a_in_one_dimension() {
-        let plan = Plan::new(zones(), 1);
+        let plan = SamplePlan::new(zones(), 1);
         let rows = plan.rows(5);
         assert_eq!(rows.len(), plan.runs());
         assert_eq!(rows[2], [rows[1][0], rows[0][1]]);
         assert_eq!(rows[3], [rows[0][0], rows[1][1]]);
-        assert_ne!(Plan::new(zones(), 2).rows(5), rows);
-        assert_eq!(Plan::new(zones()[..1].to_vec(), 1).rows(5).len(), 2);
+        assert_ne!(SamplePlan::new(zones(), 2).rows(5), rows);
+        assert_eq!(SamplePlan::new(zones()[..1].to_vec(), 1).rows(5).len(), 2);
     }
 }

@@ -7,7 +7,7 @@ use serde::Serialize;
 const LINEAR: f64 = 0.1;
 
 /// Share of all effects below which what is not linear does not count.
-const NEGLIGIBLE: f64 = 1e-6;
+const NEGLIGIBLE: f64 = 1e-3;
 
 /// Stack of first order about the middle of all tolerance zones.
 #[derive(Clone, Debug, PartialEq, Serialize)]
