@@ -7,6 +7,10 @@ import { patch } from "./patch";
 import { Sheet } from "./sheet";
 import { remeasure, reshow, type Sentence } from "./units";
 
+export interface Figures {
+  pair?: { separated_time?: number };
+  delta_abs?: number;
+}
 export interface Answer {
   version: number;
   verdict: { sort: string; headline: Sentence; text: Sentence };
@@ -23,7 +27,8 @@ export interface Answer {
   // Names of the runs that are pinned, and of the columns of the record with their units.
   pins: string[];
   signals: [string, string][];
-  figures: Record<string, any>;
+  // By object and name; numbers may stand in further ones.
+  figures: Record<string, Figures>;
   // Of charts that are not in sight neither numbers nor what else differs come.
   lengths: (number | null)[];
   plots: (PlotData | null)[];

@@ -4,7 +4,8 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { offer, save } from "./export";
 import { Host } from "./host";
-import type { Link, Message } from "./link";
+import type { Link } from "./link";
+import type { AnswerFound } from "./messages";
 import { OptionField, type Option } from "./option";
 import { BENCH, RESULTS } from "./store/views";
 import { Tabs } from "./tabs";
@@ -73,7 +74,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const [waiting, setWaiting] = useState(false);
   const place = useRef<HTMLElement>(null!),
     shown = useRef(""),
-    drawn = useRef<{ message: Message; command: string } | null>(null);
+    drawn = useRef<{ message: AnswerFound; command: string } | null>(null);
   const made = useRef<PlotChart[]>([]),
     players = useRef<Playing[]>([]);
   const { questions } = forms;
@@ -122,7 +123,9 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     const ask = async () => {
       if (!scene || gone) return;
       try {
-        const found = await link.get(`/api/questions?scene=${encodeURIComponent(scene)}`);
+        const found = await link.get<{ questions: Question[]; fits: boolean }>(
+          `/api/questions?scene=${encodeURIComponent(scene)}`,
+        );
         // Of a scene with faults nothing is known: what was known of it stays.
         const text = JSON.stringify(found.questions);
         if (gone || text === asked || (asked && !found.fits)) return;
@@ -167,7 +170,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
 
   useEffect(() => {
     link.on("question_progress", ({ done, of, now }) => setProgress({ done, of, now }));
-    link.on("question", (message: Message) => {
+    link.on("question", (message) => {
       const of = message.question,
         now = wanted.current === null ? null : JSON.parse(wanted.current);
       requestAnimationFrame(() => link.send({ type: "question_shown" }));
@@ -182,7 +185,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     return () => clear();
   }, []);
 
-  const draw = (message: Message, command: string) => {
+  const draw = (message: AnswerFound, command: string) => {
     const width = made.current[0]?.width;
     live.drop(made.current);
     for (const one of players.current) one.stop();
@@ -199,7 +202,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
         given &&
         machine.player(figure, JSON.parse(given.textContent!), {
           columns: message.columns,
-          plots: Object.values(message.plots) as PlotData[],
+          plots: Object.values(message.plots),
         });
       return playing ? [playing] : [];
     });

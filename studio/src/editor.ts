@@ -47,10 +47,11 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
-import type { Link, Message } from "./link";
+import type { Link } from "./link";
 import { difference, merged } from "./merge";
-import { fields, setFields, type Field } from "./numbers";
-import { Guide } from "./schema";
+import type { Heard } from "./messages";
+import { fields, setFields } from "./numbers";
+import { Guide, type Schema } from "./schema";
 
 const dragged = Annotation.define<number>();
 // Marks what the view is told, and does not tell.
@@ -236,7 +237,7 @@ export class Editor {
 
   // What the view has of it.
   private fresh(text: string): EditorState {
-    const step = (type: string) => () => {
+    const step = (type: "undo" | "redo" | "save") => () => {
       this.when(() => this.link.send({ type }));
       return true;
     };
@@ -305,7 +306,7 @@ export class Editor {
   }
 
   // Another document, or the same anew.
-  open(message: Message): void {
+  open(message: Heard["opened"]): void {
     this.flying = this.sent = 0;
     this.later = [];
     this.owed = null;
@@ -339,7 +340,7 @@ export class Editor {
   }
 
   // The same document: what was edited elsewhere meanwhile.
-  resume(message: Message): void {
+  resume(message: Heard["updates"]): void {
     this.lost();
     this.receive(message);
   }
@@ -451,11 +452,11 @@ export class Editor {
     if (this.sent < updates.length) this.push();
   }
 
-  private receive({ version, updates }: Message): void {
+  private receive({ version, updates }: Heard["updates"]): void {
     const known = getSyncedVersion(this.state);
     const fresh = updates.slice(Math.max(0, known - version));
     for (const one of fresh) this.heard = ChangeSet.fromJSON(one.changes).apply(this.heard);
-    const own = fresh.filter((one: any) => one.by === this.by()).length;
+    const own = fresh.filter((one) => one.by === this.by()).length;
     if (own) {
       this.landed();
       this.sent = Math.max(0, this.sent - own);
@@ -464,17 +465,17 @@ export class Editor {
       this.dispatch(
         receiveUpdates(
           this.state,
-          fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by })),
+          fresh.map((one) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by })),
         ),
       );
     this.push();
   }
 
   // What the server found in a version: it counts while that is the text.
-  check({ version, numbers, faults }: Message): boolean {
+  check({ version, numbers, faults }: Heard["checked"]): boolean {
     if (!this.isAt(version)) return false;
     const length = this.state.doc.length;
-    const diagnostics: Diagnostic[] = faults.map((fault: any) => ({
+    const diagnostics: Diagnostic[] = faults.map((fault) => ({
       from: Math.min(fault.from, length),
       to: Math.min(Math.max(fault.to, fault.from), length),
       severity: fault.severity,
@@ -485,7 +486,7 @@ export class Editor {
       this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
     }
     this.told = diagnostics.length > 0;
-    if (numbers) this.dispatch({ effects: setFields.of(numbers as Field[]) });
+    if (numbers) this.dispatch({ effects: setFields.of(numbers) });
     return true;
   }
 
@@ -493,7 +494,7 @@ export class Editor {
   guide(): Promise<Guide> {
     if (!this.schema || Date.now() - this.schema.at > 5000) {
       const guide = this.link
-        .get(`/api/schema?scene=${encodeURIComponent(this.scene)}`)
+        .get<Schema>(`/api/schema?scene=${encodeURIComponent(this.scene)}`)
         .then((schema) => new Guide(schema));
       this.schema = { at: Date.now(), guide };
       guide.catch(() => {

@@ -67,7 +67,9 @@ export function Expectations({ link, scene, isAt, edit, program }: Props) {
     setAsking(true);
     setWords("");
     try {
-      const found = await link.get(`/api/figures?scene=${encodeURIComponent(scene)}`);
+      const found = await link.get<{ version: number; figures: Offer[]; refused?: string } | null>(
+        `/api/figures?scene=${encodeURIComponent(scene)}`,
+      );
       if (!found) setWords("The text is no scene that can be run.");
       else if (!found.figures.length) setWords(found.refused ?? "This run has no figures that can be expected.");
       setOffers(found?.figures.length ? found : null);

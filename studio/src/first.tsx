@@ -46,7 +46,7 @@ export function First({ link, folder, scene, saved, open, make, back, tour, tour
   const [words, setWords] = useState("");
   const search = useRef<HTMLInputElement>(null);
   useEffect(() => {
-    void link.get("/api/first").then(setTold, () => setFailed(true));
+    void link.get<Told>("/api/first").then(setTold, () => setFailed(true));
   }, []);
   useEffect(() => search.current?.focus(), [told]);
   if (!told)

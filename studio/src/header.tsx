@@ -22,7 +22,7 @@ function SceneChoice() {
         value={own}
         onChange={(event) => {
           const select = event.currentTarget;
-          if (!request("open", { scene: select.value })) select.value = own;
+          if (!request({ type: "open", scene: select.value })) select.value = own;
         }}
       >
         {all.concat(own && !all.includes(own) ? [own] : []).map((one) => (
@@ -44,16 +44,22 @@ function SceneTools() {
       <span class={isSaved.value ? "soft" : "unsaved"} role="status">
         {isSaved.value ? "saved" : "not saved"}
       </span>
-      <button type="button" class="save" onClick={() => request("save")} disabled={isSaved.value} title="Ctrl-S">
+      <button
+        type="button"
+        class="save"
+        onClick={() => request({ type: "save" })}
+        disabled={isSaved.value}
+        title="Ctrl-S"
+      >
         Save
       </button>
       <button type="button" onClick={saveAs}>
         Save as…
       </button>
-      <button type="button" class="undo" onClick={() => request("undo")} disabled={!undo} title="Ctrl-Z">
+      <button type="button" class="undo" onClick={() => request({ type: "undo" })} disabled={!undo} title="Ctrl-Z">
         Undo
       </button>
-      <button type="button" onClick={() => request("redo")} disabled={!redo} title="Ctrl-Y">
+      <button type="button" onClick={() => request({ type: "redo" })} disabled={!redo} title="Ctrl-Y">
         Redo
       </button>
       <History />

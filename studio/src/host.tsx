@@ -1,6 +1,6 @@
 // An element whose content is made by others: text, charts, drawings.
 
-import { Component, createRef } from "preact";
+import { Component, createRef, type RefObject } from "preact";
 
 interface Props {
   of: (element: HTMLElement) => void;
@@ -19,7 +19,11 @@ export class Host extends Component<Props> {
   }
   override render() {
     const { kind, label, class: name } = this.props,
-      own = this.own as any;
-    return kind === "section" ? <section ref={own} class={name} aria-label={label} /> : <div ref={own} class={name} />;
+      own = this.own;
+    return kind === "section" ? (
+      <section ref={own} class={name} aria-label={label} />
+    ) : (
+      <div ref={own as RefObject<HTMLDivElement>} class={name} />
+    );
   }
 }

@@ -1,7 +1,7 @@
 // The line to what answers: JSON in both directions, answers as bytes. A server (`server.ts`), or the
 // program in this tab (`offline/link.ts`).
 
-export type Message = { type: string } & Record<string, any>;
+import type { Heard, SaidMessage } from "./messages";
 
 const SCENE = "dam-studio-scene";
 // What is kept for this window, by its key.
@@ -56,10 +56,10 @@ export interface Link {
   readonly known: boolean;
   answer: (frame: ArrayBuffer) => void;
   state: (connected: boolean) => void;
-  on(type: string, act: (message: Message) => void): void;
+  on<K extends keyof Heard>(type: K, act: (message: Heard[K]) => void): void;
   connect(): void;
   // False: nothing hears it.
-  send(message: Message): boolean;
-  get(path: string): Promise<any>;
+  send(message: SaidMessage): boolean;
+  get<T>(path: string): Promise<T>;
   text(path: string): Promise<string>;
 }

@@ -4,7 +4,8 @@ import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
 import { offer } from "./export";
 import { Host } from "./host";
-import type { Link, Message } from "./link";
+import type { Link } from "./link";
+import type { Heard } from "./messages";
 import { patch } from "./patch";
 import { fieldOf, spanOf, written, type Field, type Span } from "./numbers";
 
@@ -118,21 +119,23 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened, e
       made.current = live.make(place.current!, source, width);
       offer(made.current);
     };
-    const take = (message: Message) => {
+    const take = (message: Heard["map"]) => {
       latest = null;
       setProgress(null);
       setTold(
-        message.refused
+        message.refused !== undefined
           ? `There is no map: ${message.refused}`
           : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`,
       );
-      if (!message.refused && place.current) {
+      if (message.refused === undefined && place.current) {
         const source = { columns: message.columns, plots: message.plots };
         for (const plot of Object.values<PlotData>(message.plots)) if (plot.field) plot.field.notes = message.notes;
         show(message.html, source);
         mark();
       }
-      performance.mark("map", { detail: { version: message.version, cells: message.cells } });
+      performance.mark("map", {
+        detail: { version: message.version, cells: "cells" in message ? message.cells : undefined },
+      });
       requestAnimationFrame(() => link.send({ type: "map_shown" }));
     };
     link.on("map", take);

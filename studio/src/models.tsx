@@ -44,7 +44,9 @@ export function Models({ link, scene, version, kind, choose }: Props) {
       asking.current = true;
       const asked = wanted.current;
       try {
-        const found = await link.get(`/api/model?scene=${encodeURIComponent(scene)}`);
+        const found = await link.get<Record<Props["kind"], string> | null>(
+          `/api/model?scene=${encodeURIComponent(scene)}`,
+        );
         if (gone) return;
         if (found) {
           place.current.innerHTML = found[kind];

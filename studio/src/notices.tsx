@@ -1,6 +1,7 @@
 // What is to be known before one goes on: drafts, changes of the file, what was refused.
 
-import { discardDraft, draft, request, restoreDraft, saveAs, status, type Draft } from "./store/file";
+import type { Draft } from "./messages";
+import { discardDraft, draft, request, restoreDraft, saveAs, status } from "./store/file";
 import { notice, tell } from "./store/notices";
 
 const DraftNotice = ({ time, other_base }: Draft) => (
@@ -19,10 +20,10 @@ const DraftNotice = ({ time, other_base }: Draft) => (
 const ChangedNotice = () => (
   <p role="alert">
     <b>The file was changed by another program.</b>
-    <button type="button" onClick={() => request("reload")}>
+    <button type="button" onClick={() => request({ type: "reload" })}>
       Reload it
     </button>
-    <button type="button" onClick={() => request("keep_mine")}>
+    <button type="button" onClick={() => request({ type: "keep_mine" })}>
       Keep mine
     </button>
     <button type="button" onClick={saveAs}>

@@ -5,7 +5,28 @@ import { syntaxTree } from "@codemirror/language";
 import type { EditorState } from "@codemirror/state";
 import type { SyntaxNode } from "@lezer/common";
 
-export type Schema = Record<string, any>;
+export interface Schema {
+  $ref?: string;
+  $defs?: Record<string, Schema>;
+  type?: string;
+  enum?: string[];
+  const?: unknown;
+  default?: unknown;
+  description?: string;
+  examples?: unknown[];
+  anyOf?: Schema[];
+  oneOf?: Schema[];
+  allOf?: Schema[];
+  then?: Schema;
+  else?: Schema;
+  properties?: Record<string, Schema>;
+  patternProperties?: Record<string, Schema>;
+  additionalProperties?: Schema | boolean;
+  propertyNames?: { pattern?: string };
+  items?: Schema;
+  prefixItems?: Schema[];
+  required?: string[];
+}
 
 const text = (state: EditorState, node: SyntaxNode): string => state.doc.sliceString(node.from, node.to);
 function unquoted(state: EditorState, node: SyntaxNode): string {
@@ -42,14 +63,17 @@ function way(state: EditorState, node: SyntaxNode): { step: string | number; own
 export class Guide {
   constructor(readonly root: Schema) {}
 
+  // What stands under a name.
+  private named(reference: string): Schema | undefined {
+    const inner = (at: unknown, part: string): unknown => (at as Record<string, unknown> | undefined)?.[part];
+    return reference.replace("#/", "").split("/").reduce(inner, this.root) as Schema | undefined;
+  }
+
   // A schema itself, where it stands elsewhere under a name; what is said of it here goes before.
   resolved(schema: Schema | undefined): Schema {
     if (!schema || typeof schema !== "object") return {};
     if (typeof schema.$ref !== "string") return schema;
-    const target = schema.$ref
-      .replace("#/", "")
-      .split("/")
-      .reduce((at: any, part: string) => at?.[part], this.root);
+    const target = this.named(schema.$ref);
     const { $ref: _, ...own } = schema;
     return { ...this.resolved(target), ...own };
   }
@@ -59,10 +83,7 @@ export class Guide {
     if (!schema || typeof schema !== "object" || depth > 12) return [];
     const found: Schema[] = [];
     if (typeof schema.$ref === "string") {
-      const target = schema.$ref
-        .replace("#/", "")
-        .split("/")
-        .reduce((at: any, part: string) => at?.[part], this.root);
+      const target = this.named(schema.$ref);
       const described = schema.description ? { ...target, description: schema.description } : target;
       found.push(...this.forms(described, depth + 1));
     }
@@ -82,7 +103,7 @@ export class Guide {
   private fitting(state: EditorState, schema: Schema[], owner: SyntaxNode): Schema[] {
     const own = new Map(owner.getChildren("Property").map((one) => [nameOf(state, one), valueIn(one)]));
     return schema.filter((form) =>
-      Object.entries<any>(form.properties ?? {}).every(([name, inner]) => {
+      Object.entries(form.properties ?? {}).every(([name, inner]) => {
         const value = own.get(name);
         if (value?.name !== "String") return true;
         const given = unquoted(state, value);
@@ -174,7 +195,7 @@ export class Guide {
           );
     const options = new Map<string, Completion>();
     for (const form of forms) {
-      for (const [name, inner] of Object.entries<any>(form.properties ?? {})) {
+      for (const [name, inner] of Object.entries(form.properties ?? {})) {
         if (there.has(name) && name !== (node.name === "PropertyName" ? unquoted(state, node) : "")) continue;
         const described = this.forms(inner).find((one) => one.description)?.description;
         const completion: Completion = {

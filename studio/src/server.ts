@@ -3,7 +3,8 @@
 // The token goes to the program that gave the address, when it is opened. A window that comes back
 // does not know who listens at the port by then: both sides prove that they have the token.
 
-import { shownScene, TAB, TOKEN, type Link, type Message } from "./link";
+import { shownScene, TAB, TOKEN, type Link } from "./link";
+import { Hearers, type Heard, type HeardMessage, type SaidMessage } from "./messages";
 
 // The token comes behind the # of the first address, where no server sees it, and stays in
 // this window alone.
@@ -40,7 +41,7 @@ export class Server implements Link {
   private isNew: boolean;
   // Who makes the edits of this page, however often the connection is made anew.
   private readonly author = random(16);
-  private readonly heard = new Map<string, (message: Message) => void>();
+  private readonly heard = new Hearers();
   private wait = 250;
   private isWelcome = false;
   answer: (frame: ArrayBuffer) => void = () => {};
@@ -58,8 +59,8 @@ export class Server implements Link {
     return this.token !== null;
   }
 
-  on(type: string, act: (message: Message) => void): void {
-    this.heard.set(type, act);
+  on<K extends keyof Heard>(type: K, act: (message: Heard[K]) => void): void {
+    this.heard.on(type, act);
   }
 
   connect(): void {
@@ -67,7 +68,7 @@ export class Server implements Link {
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     this.isWelcome = false;
-    const say = (message: Message) => socket.send(JSON.stringify(message)),
+    const say = (message: SaidMessage) => socket.send(JSON.stringify(message)),
       own = { tab: tab(), author: this.author },
       token = this.token ?? "";
     const number = random(32);
@@ -76,18 +77,18 @@ export class Server implements Link {
       if (this.isNew) say({ type: "hello", token, ...own });
       else say({ type: "back", name: await hash(`name ${token}`), number, ...own });
     };
-    const greet = async (message: Message) => {
+    const greet = async (message: HeardMessage) => {
       if (message.type === "challenge" && message.proof === (await hash(`program ${token} ${number}`))) {
         isProven = true;
         say({ type: "proof", proof: await hash(`window ${token} ${message.number}`) });
       } else if (message.type === "welcome" && isProven) {
-        this.token = message.token;
-        sessionStorage.setItem(TOKEN, message.token);
+        this.token = message.token!;
+        sessionStorage.setItem(TOKEN, this.token);
         this.isNew = false;
         this.isWelcome = true;
         this.wait = 250;
         this.state(true);
-        this.heard.get("welcome")?.(message);
+        this.heard.tell(message);
       } else socket.close();
     };
     socket.onmessage = (event) => {
@@ -95,8 +96,8 @@ export class Server implements Link {
         this.answer(event.data);
         return;
       }
-      const message = JSON.parse(event.data) as Message;
-      if (this.isWelcome) this.heard.get(message.type)?.(message);
+      const message = JSON.parse(event.data) as HeardMessage;
+      if (this.isWelcome) this.heard.tell(message);
       else void greet(message);
     };
     socket.onclose = () => {
@@ -109,13 +110,13 @@ export class Server implements Link {
     };
   }
 
-  send(message: Message): boolean {
+  send(message: SaidMessage): boolean {
     if (!this.isOpen) return false;
     this.socket!.send(JSON.stringify(message));
     return true;
   }
 
-  async get(path: string): Promise<any> {
+  async get<T>(path: string): Promise<T> {
     return (await this.fetched(path)).json();
   }
   async text(path: string): Promise<string> {

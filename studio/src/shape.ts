@@ -29,8 +29,8 @@ const isCompound = (schema: Schema): boolean =>
 // Units out of the examples: "1 N m/rad".
 const unitsOf = (schema: Schema): string[] =>
   (schema.examples ?? [])
-    .filter((one: unknown) => typeof one === "string" && /^1 /.test(one))
-    .map((one: string) => one.slice(2));
+    .filter((one): one is string => typeof one === "string" && /^1 /.test(one))
+    .map((one) => one.slice(2));
 
 export function shapeOf(guide: Guide, given: Schema | undefined): Shape {
   const schema = guide.resolved(given),
@@ -83,7 +83,7 @@ export function groupOf(guide: Guide, given: Schema): Group {
     sort: "group",
     properties: schema.properties ?? {},
     required: [...(schema.required ?? []), ...(schema.then?.required ?? [])],
-    variants: (one ?? []).map((item: Schema) => item.required[0]),
+    variants: (one ?? []).flatMap((item) => item.required?.slice(0, 1) ?? []),
   };
 }
 

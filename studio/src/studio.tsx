@@ -26,8 +26,8 @@ function FirstPage() {
       tour={() => {
         isTouring.value = true;
       }}
-      open={(wanted) => request("open", { scene: wanted })}
-      make={(name, from) => request("new", { scene: name, from })}
+      open={(wanted) => request({ type: "open", scene: wanted })}
+      make={(name, from) => request({ type: "new", scene: name, from })}
     />
   );
 }

@@ -9,100 +9,9 @@ import { signal } from "@preact/signals";
 import { typedNumber } from "./entry";
 import { Kept, type Link } from "./link";
 import type { Field } from "./numbers";
+import { CHOICES, SYSTEMS, TURN } from "./unit-choices";
 
 const kept = new Kept("units");
-const TURN = 2 * Math.PI;
-
-// Of every SI unit the others, with how many of it they are.
-export const CHOICES: Record<string, [string, [string, number][]]> = {
-  rad: [
-    "angles",
-    [
-      ["rad", 1],
-      ["mrad", 1e-3],
-      ["deg", TURN / 360],
-    ],
-  ],
-  m: [
-    "lengths",
-    [
-      ["m", 1],
-      ["mm", 1e-3],
-      ["µm", 1e-6],
-    ],
-  ],
-  "rad/s": [
-    "angular speeds",
-    [
-      ["rad/s", 1],
-      ["rpm", TURN / 60],
-      ["rev/s", TURN],
-      ["deg/s", TURN / 360],
-    ],
-  ],
-  "m/s": [
-    "speeds",
-    [
-      ["m/s", 1],
-      ["mm/s", 1e-3],
-      ["m/min", 1 / 60],
-    ],
-  ],
-  "rad/s²": [
-    "angular accelerations",
-    [
-      ["rad/s²", 1],
-      ["deg/s²", TURN / 360],
-    ],
-  ],
-  "m/s²": [
-    "accelerations",
-    [
-      ["m/s²", 1],
-      ["mm/s²", 1e-3],
-    ],
-  ],
-  N: [
-    "forces",
-    [
-      ["N", 1],
-      ["kN", 1e3],
-      ["MN", 1e6],
-    ],
-  ],
-  "N m": [
-    "moments",
-    [
-      ["N m", 1],
-      ["kN m", 1e3],
-      ["N mm", 1e-3],
-    ],
-  ],
-  Pa: [
-    "pressures",
-    [
-      ["Pa", 1],
-      ["MPa", 1e6],
-      ["bar", 1e5],
-    ],
-  ],
-  s: [
-    "times",
-    [
-      ["s", 1],
-      ["ms", 1e-3],
-    ],
-  ],
-  J: [
-    "energies",
-    [
-      ["J", 1],
-      ["kJ", 1e3],
-      ["mJ", 1e-3],
-    ],
-  ],
-};
-
 interface Shown {
   unit: string;
   factor: number;
@@ -215,8 +124,27 @@ export function unitOf(si: string): string {
   return chosen.get(si)?.unit ?? "";
 }
 
+function keepChosen(link: Link): void {
+  kept.set(JSON.stringify(Object.fromEntries([...chosen].map(([si, own]) => [si, own.unit]))), link);
+}
+
 // Shows values of an SI unit in another, now and later.
 export function chooseUnit(si: string, unit: string, link: Link): void {
   choose(si, unit);
-  kept.set(JSON.stringify(Object.fromEntries([...chosen].map(([si, own]) => [si, own.unit]))), link);
+  keepChosen(link);
+}
+
+// The units of a system; empty: whichever read best.
+export function chooseSystem(name: string, link: Link): void {
+  for (const si of Object.keys(CHOICES)) choose(si, SYSTEMS[name]?.[si] ?? "");
+  keepChosen(link);
+}
+
+// The system whose units are chosen; empty: none is; null: a choice of its own.
+export function systemChosen(): string | null {
+  void choice.value;
+  if (!chosen.size) return "";
+  const isChosen = (units: Record<string, string>) =>
+    Object.keys(CHOICES).every((si) => chosen.get(si)?.unit === units[si]);
+  return Object.keys(SYSTEMS).find((name) => isChosen(SYSTEMS[name]!)) ?? null;
 }

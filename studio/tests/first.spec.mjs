@@ -295,6 +295,36 @@ test("units are those that were chosen, and the text stays as it is", async ({ p
   await page.reload();
   await page.waitForSelector(".verdict");
   await expect(delta).toHaveText(/ deg$/);
+  // A whole system at once, and back; the text stays.
+  const system = async (name) => {
+    await button(page, "Units").click();
+    await page.getByLabel("system of units").selectOption({ label: name });
+    await page.keyboard.press("Escape");
+  };
+  await system("in, lbf, deg");
+  const inertia = page.locator('[id="number rocker.inertia"]'),
+    own = JSON.parse(before).objects.rocker.inertia;
+  await expect(inertia).toHaveValue(/ lb in²$/);
+  expect(parseFloat(await inertia.inputValue()) * 2.926397e-4).toBeCloseTo(own, 6);
+  await expect(
+    page
+      .locator(".charts svg.dam-plot:visible")
+      .filter({ hasText: /, lbf in/ })
+      .first(),
+  ).toBeVisible();
+  await inertia.fill("400");
+  await inertia.press("Enter");
+  await expect.poll(async () => JSON.parse(await textOf(page)).objects.rocker.inertia).toBeCloseTo(0.1170559, 6);
+  await button(page, "Undo").click();
+  await system("mm, N, deg");
+  await expect(field).toHaveValue("600 rpm");
+  await expect(
+    page
+      .locator(".charts svg.dam-plot:visible")
+      .filter({ hasText: /, N mm/ })
+      .first(),
+  ).toBeVisible();
+  expect(await textOf(page)).toBe(before);
   // A later program has them too, on another port, where the browser has nothing.
   await server.kill();
   await server.start();

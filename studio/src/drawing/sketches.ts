@@ -76,7 +76,7 @@ export function useSketches({ link, scene, version, root }: Asked): Sketches {
       const asked = wanted.current,
         there = place.current;
       try {
-        const found = await link.get(addressOf(scene, there));
+        const found = await link.get<{ linkages: Sketch[] } | null>(addressOf(scene, there));
         if (gone) return;
         take(found);
       } catch {

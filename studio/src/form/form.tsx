@@ -29,7 +29,7 @@ export function ObjectForm({
     desk.edit((edits) => edits.set(at, json));
   };
   const kinds: string[] = Object.keys(desk.guide.root.$defs ?? {}).filter(
-    (name) => desk.guide.root.$defs[name].properties?.kind?.enum?.[0] === name,
+    (name) => desk.guide.root.$defs?.[name]?.properties?.kind?.enum?.[0] === name,
   );
   if (!value) return null;
   const own = member(value, "kind");

@@ -38,7 +38,10 @@ async function work(): Promise<void> {
     const key = JSON.stringify(one.from);
     try {
       if (!known.has(key))
-        known.set(key, await drawn(await one.link.get(`/api/preview?${new URLSearchParams({ from: key })}`)));
+        known.set(
+          key,
+          await drawn(await one.link.get<Preview | null>(`/api/preview?${new URLSearchParams({ from: key })}`)),
+        );
     } catch {
       known.set(key, null);
     }

@@ -3,7 +3,16 @@
 // The text with its history is kept here; workers answer the newest version. Nothing is sent anywhere.
 
 import { Text } from "@codemirror/state";
-import { shownScene, type Link, type Message } from "../link";
+import { shownScene, type Link } from "../link";
+import {
+  Hearers,
+  type Asked,
+  type Beginning,
+  type Heard,
+  type HeardMessage,
+  type Said,
+  type SaidMessage,
+} from "../messages";
 import { Desk } from "./desk";
 import { Document } from "./document";
 import { kernel, unpackedScene } from "./kernel";
@@ -16,6 +25,15 @@ const OFTEN = 1000,
   REST = 20;
 const LEVELS = 3;
 
+interface Reply {
+  type: "reply";
+  number: number;
+  value?: unknown;
+  error?: string;
+}
+// What a worker tells: what a window hears, and what is for this end of the line.
+type FoundMessage = HeardMessage | Reply | { type: "source"; hash: string; judged: boolean };
+
 interface Pin {
   name: string;
   text: string;
@@ -27,9 +45,9 @@ export class Tab implements Link {
   readonly known = true;
   answer: (frame: ArrayBuffer) => void = () => {};
   state: (connected: boolean) => void = () => {};
-  private readonly heard = new Map<string, (message: Message) => void>();
+  private readonly heard = new Hearers();
   private readonly shelf = new Shelf();
-  private readonly replies = new Map<number, { done: (value: any) => void; failed: (error: Error) => void }>();
+  private readonly replies = new Map<number, { done: (value: never) => void; failed: (error: Error) => void }>();
   private readonly runs: Desk;
   private readonly maps: Desk;
   private readonly questions: Desk;
@@ -50,7 +68,7 @@ export class Tab implements Link {
   private run: { version: number; text: string; hash: string; judged: boolean } | null = null;
   private asked: { version: number; text: string } = { version: 0, text: "" };
   private map: unknown = null;
-  private question: unknown = null;
+  private question: Asked | null = null;
   private level = 0;
   private finer = 0;
 
@@ -73,7 +91,7 @@ export class Tab implements Link {
       this.tell({ type: "question", version: this.document?.version ?? 0, question: this.question, refused: words }),
     );
     this.asides = new Desk(module, hear, (words, request) =>
-      this.reply({ type: "reply", number: request.number, error: words }),
+      this.reply({ type: "reply", number: Number(request.number), error: words }),
     );
   }
 
@@ -81,8 +99,8 @@ export class Tab implements Link {
     return this.connected;
   }
 
-  on(type: string, act: (message: Message) => void): void {
-    this.heard.set(type, act);
+  on<K extends keyof Heard>(type: K, act: (message: Heard[K]) => void): void {
+    this.heard.on(type, act);
   }
 
   connect(): void {
@@ -136,8 +154,8 @@ export class Tab implements Link {
     return free;
   }
 
-  private tell(message: Message): void {
-    this.heard.get(message.type)?.(message);
+  private tell(message: HeardMessage): void {
+    this.heard.tell(message);
   }
 
   private error(message: string): void {
@@ -145,7 +163,7 @@ export class Tab implements Link {
   }
 
   // What a worker found.
-  private told(message: Message): void {
+  private told(message: FoundMessage): void {
     if (message.type === "reply") {
       this.reply(message);
       return;
@@ -165,14 +183,14 @@ export class Tab implements Link {
     this.tell(message);
   }
 
-  private reply({ number, value, error }: Message): void {
+  private reply({ number, value, error }: Reply): void {
     const waiting = this.replies.get(number);
     this.replies.delete(number);
-    if (error === undefined) waiting?.done(value);
+    if (error === undefined) waiting?.done(value as never);
     else waiting?.failed(new Error(error));
   }
 
-  send(message: Message): boolean {
+  send(message: SaidMessage): boolean {
     try {
       this.obey(message);
     } catch (error) {
@@ -181,7 +199,7 @@ export class Tab implements Link {
     return true;
   }
 
-  private obey(message: Message): void {
+  private obey(message: SaidMessage): void {
     switch (message.type) {
       case "open":
         this.open(message.scene);
@@ -280,7 +298,7 @@ export class Tab implements Link {
     });
   }
 
-  private async begin(name: string, from: unknown): Promise<void> {
+  private async begin(name: string, from: Beginning | null | undefined): Promise<void> {
     const refused = this.shelf.refusal(name);
     if (refused) {
       this.error(refused);
@@ -296,7 +314,7 @@ export class Tab implements Link {
     }
   }
 
-  private push(document: Document, { version, updates }: Message): void {
+  private push(document: Document, { version, updates }: Said["push"]): void {
     if (this.isAsking) throw new Error("decide about the draft first");
     if (version !== document.version) {
       queueMicrotask(() => this.tell({ type: "late", version: document.version }));
@@ -306,7 +324,7 @@ export class Tab implements Link {
     this.updated(
       document,
       version,
-      updates.map((one: any) => one.changes),
+      updates.map((one) => one.changes),
       WINDOW,
     );
   }
@@ -327,7 +345,7 @@ export class Tab implements Link {
     const document = this.document!,
       { undo, redo } = document;
     const status = {
-      type: "status",
+      type: "status" as const,
       saved: document.text === this.saved,
       base: "",
       undo,
@@ -420,7 +438,7 @@ export class Tab implements Link {
       this.questions.submit({ ask: "question", of: this.version, question: this.question });
   }
 
-  private aside(request: { ask: string; [name: string]: unknown }): Promise<any> {
+  private aside<T>(request: { ask: string; [name: string]: unknown }): Promise<T> {
     const number = ++this.replyNumber;
     return new Promise((done, failed) => {
       this.replies.set(number, { done, failed });
@@ -428,12 +446,13 @@ export class Tab implements Link {
     });
   }
 
-  async get(path: string): Promise<any> {
+  async get<T>(path: string): Promise<T>;
+  async get(path: string): Promise<unknown> {
     const { pathname, searchParams } = new URL(path, "file:///");
     if (pathname === "/api/scenes") return { folder: "this browser", scenes: this.shelf.names() };
     if (pathname === "/api/steps" && this.document) return this.document.steps;
     const of = this.document ? this.version : { version: 0, name: "", text: "" };
-    const found = await this.aside({ ask: "get", path: pathname, of, query: Object.fromEntries(searchParams) });
+    const found = await this.aside<object>({ ask: "get", path: pathname, of, query: Object.fromEntries(searchParams) });
     if (pathname !== "/api/first") return found;
     const scenes = this.shelf
       .names()

@@ -1,6 +1,7 @@
 // The file that is open, what is done with it, and the other files of its folder.
 
 import { computed, signal } from "@preact/signals";
+import type { Draft, SaidMessage } from "../messages";
 import { link } from "./line";
 import { clear, tell } from "./notices";
 import { editor, isSettled } from "./text";
@@ -12,12 +13,6 @@ export interface Status {
   // Of the file on the disk: "same", "changed" by another program or "gone"; and which text it had.
   disk: string;
   base: string;
-}
-export interface Draft {
-  // Seconds since 1970.
-  time: number;
-  // It was made of another text than the file has.
-  other_base: boolean;
 }
 
 export const folder = signal(""),
@@ -40,31 +35,31 @@ const DEEDS: Record<string, string> = {
 };
 
 // Asks the server for it once it has all edits; false: no server answers.
-export function request(type: string, more = {}): boolean {
+export function request(message: SaidMessage): boolean {
   clear("deed");
   if (!link.isOpen) {
-    tell(`The server does not answer: there is no ${DEEDS[type] ?? "answer"} until it is back.`);
+    tell(`The server does not answer: there is no ${DEEDS[message.type] ?? "answer"} until it is back.`);
     return false;
   }
-  editor.peek()!.when(() => link.send({ type, ...more }));
+  editor.peek()!.when(() => link.send(message));
   return true;
 }
 
 export function saveAs(): void {
   const name = prompt("Name of the new file in this folder", scene.peek().replace(/\.json$/, "-2.json"));
-  if (name) request("save_as", { scene: name });
+  if (name) request({ type: "save_as", scene: name });
 }
 
 export function createScene(): void {
   const name = prompt("Name of the new scene in this folder", "scene.json");
-  if (name) request("new", { scene: name.endsWith(".json") ? name : `${name}.json` });
+  if (name) request({ type: "new", scene: name.endsWith(".json") ? name : `${name}.json` });
 }
 
 export function restoreDraft(): void {
-  request("draft", { restore: true });
+  request({ type: "draft", restore: true });
 }
 
 export function discardDraft(): void {
   editor.peek()!.forgive();
-  request("draft", { restore: false });
+  request({ type: "draft", restore: false });
 }

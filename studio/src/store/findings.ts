@@ -3,7 +3,7 @@
 import { computed, signal } from "@preact/signals";
 import type { Outline } from "../graph";
 import type { Parts } from "../kinds";
-import type { Message } from "../link";
+import type { Heard } from "../messages";
 import type { Fault } from "../objects/box";
 import type { Guide } from "../schema";
 import { renew } from "./steady";
@@ -26,12 +26,12 @@ export const newest = signal(0),
   isFaulty = signal(false);
 
 // Takes what was found in a version; false: the text is another by now.
-export function check(message: Message): boolean {
+export function check(message: Heard["checked"]): boolean {
   if (!editor.peek()!.check(message)) return false;
-  isFaulty.value = message.faults.some((fault: Found) => fault.severity === "error");
-  renew(faults, message.faults as Found[]);
+  isFaulty.value = message.faults.some((fault) => fault.severity === "error");
+  renew(faults, message.faults);
   // While a number moves nothing of it is another.
-  if (message.objects) renew(objects, message.objects as Outline[]);
+  if (message.objects) renew(objects, message.objects);
   newest.value = message.version;
   return true;
 }

@@ -63,7 +63,7 @@ async function named(start: Text, all: unknown[][], isBack: boolean): Promise<st
 export async function steps(): Promise<Listed | null> {
   let found: Found;
   try {
-    found = await link.get(`/api/steps?scene=${encodeURIComponent(scene.peek())}`);
+    found = await link.get<Found>(`/api/steps?scene=${encodeURIComponent(scene.peek())}`);
   } catch {
     return null;
   }
@@ -78,4 +78,4 @@ export async function steps(): Promise<Listed | null> {
 }
 
 // Makes the text what it was after so many steps.
-export const goTo = (count: number, { version }: Listed): boolean => request("go_to", { count, version });
+export const goTo = (count: number, { version }: Listed): boolean => request({ type: "go_to", count, version });

@@ -5,7 +5,7 @@ import { request } from "./file";
 import { places } from "./places";
 import { isHome } from "./views";
 
-const REQUESTS: Record<string, (event: KeyboardEvent) => string> = {
+const REQUESTS: Record<string, (event: KeyboardEvent) => "undo" | "redo" | "save"> = {
   z: (event) => (event.shiftKey ? "redo" : "undo"),
   y: () => "redo",
   s: () => "save",
@@ -19,7 +19,7 @@ function pressed(event: KeyboardEvent): void {
   if (!type || (type !== "save" && isUnfinished(event.target))) return;
   event.preventDefault();
   if (type === "save") take(event.target);
-  request(type);
+  request({ type });
 }
 
 export const hearKeys = (): void => addEventListener("keydown", pressed);

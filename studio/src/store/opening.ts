@@ -3,9 +3,11 @@
 
 import { batch } from "@preact/signals";
 import type { Editor } from "../editor";
-import { shownScene, type Message } from "../link";
+import { shownScene } from "../link";
+import type { Heard } from "../messages";
+import type { Parts } from "../kinds";
 import { offered as unitsOffered } from "../units";
-import { draft, folder, scene, scenes, status, type Status } from "./file";
+import { draft, folder, scene, scenes, status } from "./file";
 import type { Hearing } from "../asking";
 import { check, faults, guide, isFaulty, newest, objects, parts } from "./findings";
 import { offered as layoutOffered } from "./layout";
@@ -22,14 +24,14 @@ let baseBefore: string | null = null;
 // Those that hear of a version that was checked, at little cost.
 export const hearing: Hearing = { checked: () => {}, ask: () => {} };
 
-function welcome(message: Message): void {
+function welcome(message: Heard["welcome"]): void {
   self.value = message.window;
   folder.value = message.folder;
   program.value = message.program;
   seen.offer(message.settings);
   layoutOffered(message.settings);
   if (unitsOffered(message.settings)) unitsChanged();
-  void link.get("/api/scenes").then(({ scenes: found }) => {
+  void link.get<{ scenes: string[] }>("/api/scenes").then(({ scenes: found }) => {
     scenes.value = found;
     isAgain = scene.peek() !== "";
     const wanted = scene.peek() || (shownScene.get() ?? message.scene),
@@ -45,7 +47,7 @@ export function unitsChanged(): void {
   redraw();
 }
 
-function resumed(message: Message): void {
+function resumed(message: Heard["resumed"]): void {
   isAgain = false;
   editor.peek()!.resume(message);
   openings.value = openings.peek() + 1;
@@ -56,7 +58,7 @@ function begin(name: string): void {
   objects.value = [];
   selection.value = [];
   faults.value = [];
-  void link.get(`/api/parts?scene=${encodeURIComponent(name)}`).then(
+  void link.get<Parts>(`/api/parts?scene=${encodeURIComponent(name)}`).then(
     (found) => {
       parts.value = found;
     },
@@ -68,7 +70,7 @@ function begin(name: string): void {
 }
 
 // What a server that was started again does not have is owed to it.
-function owe(own: Editor, message: Message, left: { text: string; heard: string } | null): void {
+function owe(own: Editor, message: Heard["opened"], left: { text: string; heard: string } | null): void {
   // The draft is an older text of this window, unless the file has been changed since.
   const isOlder = left !== null && message.draft !== null && !message.draft.other_base;
   draft.value = isOlder ? null : message.draft;
@@ -78,7 +80,7 @@ function owe(own: Editor, message: Message, left: { text: string; heard: string 
     tell("Another window changed the same lines while the server was away. Undo shows them.", "file");
 }
 
-function opened(message: Message): void {
+function opened(message: Heard["opened"]): void {
   const own = editor.peek()!,
     isOther = message.scene !== scene.peek(),
     left = isAgain && !isOther ? own.left(status.peek().saved) : null;
@@ -100,8 +102,8 @@ function opened(message: Message): void {
   );
 }
 
-function statusChanged(message: Message): void {
-  const now = message as unknown as Status & { draft: boolean };
+function statusChanged(message: Heard["status"]): void {
+  const now = message;
   if (JSON.stringify(now) !== JSON.stringify(status.peek())) clear("deed");
   if (now.saved) clear("file");
   status.value = now;
@@ -117,19 +119,19 @@ function statusChanged(message: Message): void {
   }
 }
 
-function refused(message: Message): void {
+function refused(message: Heard["error"]): void {
   tell(message.message);
   isAgain = false;
   if (!scene.peek()) isHome.value = true;
 }
 
-function checked(message: Message): void {
+function checked(message: Heard["checked"]): void {
   if (!check(message)) return;
   isStale.value = isFaulty.peek();
   hearing.checked(newest.peek());
 }
 
-function failed(message: Message): void {
+function failed(message: Heard["failed"]): void {
   tell(message.message, "run");
   isStale.value = true;
 }
@@ -141,14 +143,13 @@ export function listen(): void {
     if (isOpen) clear("deed");
     else editor.peek()!.lost();
   };
-  for (const [type, act] of Object.entries({
-    welcome,
-    resumed,
-    opened,
-    status: statusChanged,
-    checked,
-    failed,
-    error: refused,
-  }))
+  const hear = <K extends keyof Heard>(type: K, act: (message: Heard[K]) => void) =>
     link.on(type, (message) => batch(() => act(message)));
+  hear("welcome", welcome);
+  hear("resumed", resumed);
+  hear("opened", opened);
+  hear("status", statusChanged);
+  hear("checked", checked);
+  hear("failed", failed);
+  hear("error", refused);
 }

@@ -66,7 +66,7 @@ export function mostLoaded(objects: Figures): string | null {
     (best, id) => (apart(id) > (best === null ? 0 : apart(best)) ? id : best),
     null,
   );
-  return longest ?? ids.filter((id) => objects[id]?.delta_abs > 0).at(-1) ?? ids.at(-1) ?? null;
+  return longest ?? ids.filter((id) => (objects[id]?.delta_abs ?? 0) > 0).at(-1) ?? ids.at(-1) ?? null;
 }
 
 effect(() => {
