@@ -788,7 +788,10 @@ class Tolerances(Answer):
     def interval(self) -> tuple[float, float] | None:
         """Interval of that share, with 95 % confidence."""
         found = self._yield("within")
-        return None if found is None else cast("tuple[float, float]", tuple(cast("list[float]", found)))
+        if found is None:
+            return None
+        lower, upper = cast("list[float]", found)
+        return lower, upper
 
     def worst_case(self, figure: str) -> tuple[float, float] | None:
         """Least and greatest result of first order; `None`: a derivative is not known."""

@@ -534,7 +534,7 @@ class Scene:
     ) -> answers.Tolerances:
         """What tolerances of dimensions make of results.
 
-        `tolerances`: addresses of numbers with their tolerances, `{"rocker.pair.gap": "±0.02 mm"}`:
+        `tolerances`: numbers with their tolerances, `{"rocker.pair.gap": "±0.02 mm"}`:
         normal with three standard deviations to a limit, with `uniform` behind it if so;
         `"+0.01 -0.03 mm"`, `"±1 %"`, of a length `"h7"`. Numbers that deviate by the same have
         commas between them. `limits`: conditions that samples are to meet,
