@@ -314,6 +314,7 @@ fn an_end_from_outside_is_said() {
     let control = Control::interrupted_by(&flag);
     let question = OptimizeQuestion {
         vary: vec![format!("{PRELOAD}=0:100 N")],
+        subject: vec!["follower.pair.margin >= 0".to_owned()],
         goal: Some((Aim::Minimize, PRELOAD.to_owned())),
         starts: 3,
         ..OptimizeQuestion::default()
