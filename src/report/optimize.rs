@@ -432,12 +432,9 @@ fn notes(answer: &Optimization) -> Vec<String> {
     notes.extend(finer_note(answer));
     let slopes = &answer.slopes;
     notes.push(format!(
-        "{} examined. Of the slopes of results {} exact and {} central differences.",
+        "{} examined. Slopes of results: {} exact, {} central differences.",
         capitalised(&counted(answer.evaluations, "place")),
-        match slopes.exact {
-            1 => "1 was".to_owned(),
-            count => format!("{count} were"),
-        },
+        slopes.exact,
         slopes.differences
     ));
     if !slopes.why_differences.is_empty() {

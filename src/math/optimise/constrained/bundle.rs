@@ -1,7 +1,7 @@
 //! The least value of a function with kinks: the greatest of its tangents within a trust region.
 
 use super::sqp::sqp;
-use super::{Piece, Problem, Slopes, Values, dot};
+use super::{Problem, Slopes, SmoothPiece, Values, dot};
 
 /// Half the first trust region, as a share of the ranges.
 const FIRST: f64 = 0.02;
@@ -38,7 +38,7 @@ pub(crate) struct Bundle {
     /// Its values.
     pub(crate) values: Values,
     /// The tangents that hold there.
-    pub(crate) pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<SmoothPiece>,
     /// True: no tangent promises anything any more.
     pub(crate) converged: bool,
 }
@@ -158,14 +158,14 @@ impl Tangent {
 }
 
 /// The tangents that hold at a place, of the function and of every condition.
-fn pieces(known: &[Tangent], at: &[f64], values: &Values) -> Vec<Piece> {
-    let mut found: Vec<Piece> = Vec::new();
+fn pieces(known: &[Tangent], at: &[f64], values: &Values) -> Vec<SmoothPiece> {
+    let mut found: Vec<SmoothPiece> = Vec::new();
     let mut add = |condition: Option<usize>, slope: &[f64]| {
-        let same = |one: &Piece| {
+        let same = |one: &SmoothPiece| {
             one.condition == condition && distance(&one.slope, slope) <= ONE * (1.0 + norm(slope))
         };
         if !found.iter().any(same) {
-            found.push(Piece {
+            found.push(SmoothPiece {
                 condition,
                 slope: slope.to_vec(),
             });

@@ -24,7 +24,7 @@ mod tests;
 
 pub(crate) use bundle::bundle;
 pub(crate) use flat::{FlatDirection, flat_directions};
-pub(crate) use multipliers::{Multipliers, Piece, multipliers};
+pub(crate) use multipliers::{Multipliers, SmoothPiece, multipliers};
 pub(crate) use sqp::{SqpEnd, sqp};
 pub(crate) use starts::starts;
 

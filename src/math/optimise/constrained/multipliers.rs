@@ -12,7 +12,7 @@ const WEIGHT: f64 = 1e3;
 
 /// A tangent that holds near a place, of the function or of a condition.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Piece {
+pub(crate) struct SmoothPiece {
     /// Of which condition; `None`: of the function.
     pub(crate) condition: Option<usize>,
     /// Its slope.
@@ -32,7 +32,7 @@ pub(crate) struct Multipliers {
     pub(crate) residual: f64,
 }
 
-impl Piece {
+impl SmoothPiece {
     /// The function and all conditions at a place at which all are smooth.
     pub(crate) fn all(slopes: &Slopes) -> Vec<Self> {
         let objective = Self {
@@ -54,7 +54,7 @@ pub(crate) fn multipliers(
     problem: &dyn Problem,
     at: &[f64],
     active: &[bool],
-    pieces: &[Piece],
+    pieces: &[SmoothPiece],
 ) -> Multipliers {
     let count = at.len();
     let mut columns: Vec<(Owner, Vec<f64>)> = Vec::new();

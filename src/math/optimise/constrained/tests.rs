@@ -1,8 +1,8 @@
 //! Optima in closed form, and those of the reference.
 
 use super::{
-    Multipliers, Piece, Problem, Slopes, SqpEnd, Values, bundle, flat_directions, multipliers, sqp,
-    starts,
+    Multipliers, Problem, Slopes, SmoothPiece, SqpEnd, Values, bundle, flat_directions,
+    multipliers, sqp, starts,
 };
 use serde_json::Value;
 
@@ -34,7 +34,7 @@ impl Closed<'_> {
         let (at, end) = sqp(self, &self.scaled(start), 1e-13, 200);
         let values = self.values(&at).unwrap();
         let active: Vec<bool> = values.conditions.iter().map(|c| *c > -1e-6).collect();
-        let pieces = Piece::all(&self.slopes(&at).unwrap());
+        let pieces = SmoothPiece::all(&self.slopes(&at).unwrap());
         let held = multipliers(self, &at, &active, &pieces);
         (self.real(&at), end, held)
     }
