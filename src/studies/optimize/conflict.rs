@@ -4,7 +4,7 @@ use super::evaluate::Task;
 use super::result::LeastViolation;
 use super::scaled::{FEASIBLE, Scaled, Scales};
 use super::start::Ended;
-use crate::math::optimise::constrained::{Piece, Problem, Slopes, Values, multipliers, sqp};
+use crate::math::optimise::constrained::{Problem, Slopes, SmoothPiece, Values, multipliers, sqp};
 use crate::studies::condition::Relation;
 
 /// A step that promises less than this is none.
@@ -111,7 +111,7 @@ pub(super) fn least_violation(
         &relaxed,
         &found,
         &active,
-        &Piece::all(&relaxed.slopes(&found)?),
+        &SmoothPiece::all(&relaxed.slopes(&found)?),
     );
     let greatest = held.conditions.iter().copied().fold(0.0, f64::max);
     let counts = |own: &usize| held.conditions[*own] > COUNTS * greatest;

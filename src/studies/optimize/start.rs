@@ -4,7 +4,7 @@ use super::evaluate::{ENDED, Task};
 use super::result::{StartEnd, StartResult};
 use super::scaled::{FEASIBLE, Looked, Scaled, Scales};
 use crate::math::optimise::constrained::{
-    Multipliers, Piece, Problem, SqpEnd, Values, bundle, multipliers, sqp,
+    Multipliers, Problem, SmoothPiece, SqpEnd, Values, bundle, multipliers, sqp,
 };
 
 /// A step that promises less than this, of the change of the goal over the ranges, is none.
@@ -114,7 +114,7 @@ pub(super) fn go(task: &Task<'_>, scales: &Scales, start: &[f64]) -> Ended {
 pub(super) fn place(
     problem: &Scaled<'_>,
     at: &[f64],
-    pieces: Option<&[Piece]>,
+    pieces: Option<&[SmoothPiece]>,
 ) -> Option<EndPlace> {
     let at: Vec<f64> = at.iter().map(|x| snapped(*x)).collect();
     let at = at.as_slice();
@@ -125,8 +125,8 @@ pub(super) fn place(
         .iter()
         .map(|value| *value >= -ACTIVE)
         .collect();
-    let smooth = problem.slopes(at).map(|slopes| Piece::all(&slopes));
-    let held = |pieces: &[Piece]| multipliers(problem, at, &active, pieces);
+    let smooth = problem.slopes(at).map(|slopes| SmoothPiece::all(&slopes));
+    let held = |pieces: &[SmoothPiece]| multipliers(problem, at, &active, pieces);
     let of_slopes = smooth.as_deref().map(held);
     let of_pieces = pieces.filter(|pieces| !pieces.is_empty()).map(held);
     let (held, limit) = match (of_slopes, of_pieces) {
