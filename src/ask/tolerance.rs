@@ -13,8 +13,8 @@ use crate::studies::condition::{Condition, counts};
 use crate::studies::gradient::DerivativeVerdict;
 use crate::studies::prepared::{Point, Prepared, Verdict};
 use crate::studies::tolerance::{
-    Dimension, Figure, MOST_DIMENSIONS, MOST_SAMPLES, Outcome, Task, Tolerances, USUAL_SAMPLES,
-    WrittenLimits, WrittenTolerance, tolerances,
+    Dimension, Figure, MOST_DIMENSIONS, MOST_SAMPLES, Outcome, ToleranceTask, Tolerances,
+    USUAL_SAMPLES, WrittenLimits, WrittenTolerance, tolerances,
 };
 use crate::units::parse;
 use std::cell::Cell;
@@ -95,7 +95,7 @@ pub(crate) fn tolerance(
     let addresses: Vec<&str> = figures.iter().map(|one| one.address.as_str()).collect();
     let points = source.prepare(&paths, &addresses)?;
     let mut remarks = points.remarks.clone();
-    let mut task = Task {
+    let mut task = ToleranceTask {
         dimensions,
         figures,
         limits,
@@ -354,7 +354,7 @@ fn figures(
 
 /// Takes the derivatives that are carried exactly; says why there are none.
 fn take_exact(
-    task: &mut Task,
+    task: &mut ToleranceTask,
     (prepare, numbers): (&Prepare<'_>, &[Number]),
     model: &Model,
     control: &Control<'_>,

@@ -164,7 +164,7 @@ fn an_offset_about_zero_is_told_not_to_be_linear() {
     let text = String::from_utf8(output.stdout).unwrap();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("is not linear in the"), "{text}");
-    assert!(text.contains("it is 22.5"), "{text}");
+    assert!(text.contains("it is 0.02251 mm"), "{text}");
     let found = document(&[
         &path,
         "--tol",

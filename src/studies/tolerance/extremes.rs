@@ -6,7 +6,7 @@
 
 use super::answer::FigureTolerance;
 use super::stack::{AtLimits, corners};
-use super::task::{Evaluate, Task};
+use super::task::{Evaluate, ToleranceTask};
 
 /// Most moves.
 const MOVES: usize = 8;
@@ -66,7 +66,7 @@ impl End {
 
 /// The least and the greatest of every result; `None`: ended from outside.
 pub(super) fn extremes(
-    task: &Task,
+    task: &ToleranceTask,
     figures: &[FigureTolerance],
     evaluate: &Evaluate<'_>,
 ) -> Option<Vec<[Option<f64>; 2]>> {

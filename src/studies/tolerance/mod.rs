@@ -40,7 +40,7 @@ pub use sampling::{MOST_DIMENSIONS, MOST_SAMPLES, SamplePlan};
 pub use stack::{AtLimits, FirstOrder, NotLinear};
 pub use statistics::{QUANTILES, Spread, Yield};
 pub use study::tolerances;
-pub use task::{Dimension, Evaluate, Figure, Outcome, Task};
+pub use task::{Dimension, Evaluate, Figure, Outcome, ToleranceTask};
 pub use zone::{Distribution, SIGMAS, WrittenLimits, WrittenTolerance, Zone};
 
 /// Samples if none are named.

@@ -36,6 +36,8 @@ pub(super) fn slope(zone: &Zone, above: &[Option<f64>], below: &[Option<f64>]) -
         let rounding = 8.0 * f64::EPSILON * above[0][0].abs() / step;
         if error <= SMOOTH * value.abs() + rounding {
             let error = error.max(rounding);
+            // What rounding alone gives is none.
+            let value = if value.abs() <= rounding { 0.0 } else { value };
             return Some(Slope { value, error });
         }
     }

@@ -7,7 +7,7 @@ use super::sampling::SamplePlan;
 use super::slopes::{PLACES, Slope, slope};
 use super::stack::{AtLimits, FirstOrder, mean_shift, not_linear};
 use super::statistics::{Spread, Yield};
-use super::task::{Evaluate, Outcome, Task};
+use super::task::{Evaluate, Outcome, ToleranceTask};
 use crate::math::probability::normal_share_below;
 use crate::studies::condition::{Condition, Relation};
 use crate::studies::prepared::Verdict;
@@ -20,7 +20,7 @@ const BATCH: usize = 2048;
 ///
 /// # Errors
 /// The scene cannot be run in the middle of the zones; it was ended before the stack was known.
-pub fn tolerances(task: &Task, evaluate: &Evaluate<'_>) -> Result<Tolerances, String> {
+pub fn tolerances(task: &ToleranceTask, evaluate: &Evaluate<'_>) -> Result<Tolerances, String> {
     let ended = || "the study was interrupted".to_owned();
     let rows = evaluate(&task.stack_rows()).ok_or_else(ended)?;
     let middle = &rows[0];
@@ -41,8 +41,8 @@ pub fn tolerances(task: &Task, evaluate: &Evaluate<'_>) -> Result<Tolerances, St
     Ok(summary(task, figures, &points, complete))
 }
 
-/// The stack of a result from the runs of [`Task::stack_rows`].
-fn figure_stack(task: &Task, rows: &[Outcome], number: usize) -> FigureTolerance {
+/// The stack of a result from the runs of [`ToleranceTask::stack_rows`].
+fn figure_stack(task: &ToleranceTask, rows: &[Outcome], number: usize) -> FigureTolerance {
     let figure = &task.figures[number];
     let value = |row: usize| rows[row].values[number];
     let (middle, zones) = (value(0), task.zones());
@@ -106,7 +106,7 @@ struct SampledPoint {
 }
 
 /// The points that were run; true: all of them.
-fn sampled(task: &Task, evaluate: &Evaluate<'_>) -> (Vec<SampledPoint>, bool) {
+fn sampled(task: &ToleranceTask, evaluate: &Evaluate<'_>) -> (Vec<SampledPoint>, bool) {
     let plan = SamplePlan::new(task.zones(), task.seed);
     let batch = (BATCH / plan.runs()).max(1);
     let mut found = Vec::with_capacity(task.points());
@@ -127,7 +127,7 @@ fn sampled(task: &Task, evaluate: &Evaluate<'_>) -> (Vec<SampledPoint>, bool) {
 
 /// What the samples say.
 fn summary(
-    task: &Task,
+    task: &ToleranceTask,
     mut figures: Vec<FigureTolerance>,
     points: &[SampledPoint],
     complete: bool,

@@ -64,7 +64,7 @@ pub type Evaluate<'e> = dyn Fn(&[Vec<f64>]) -> Option<Vec<Outcome>> + 'e;
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Task {
+pub struct ToleranceTask {
     /// The dimensions.
     pub dimensions: Vec<Dimension>,
     /// The results.
@@ -77,7 +77,7 @@ pub struct Task {
     pub seed: u32,
 }
 
-impl Task {
+impl ToleranceTask {
     pub(super) fn zones(&self) -> Vec<Zone> {
         self.dimensions.iter().map(|one| one.zone).collect()
     }

@@ -1,7 +1,8 @@
 //! The study on functions in closed form.
 
 use super::{
-    Dimension, Distribution, Figure, Outcome, SlopeSource, Task, Tolerances, Zone, tolerances,
+    Dimension, Distribution, Figure, Outcome, SlopeSource, ToleranceTask, Tolerances, Zone,
+    tolerances,
 };
 use crate::studies::condition::{Condition, Relation, WrittenUnit};
 use crate::studies::prepared::Verdict;
@@ -21,7 +22,7 @@ fn limit(relation: Relation, value: f64) -> Condition {
     }
 }
 
-fn task(nominal: [f64; 3], halves: [f64; 3], (samples, seed): (usize, u32)) -> Task {
+fn task(nominal: [f64; 3], halves: [f64; 3], (samples, seed): (usize, u32)) -> ToleranceTask {
     let each = nominal.into_iter().zip(halves).enumerate();
     let dimension = |(at, (nominal, half)): (usize, (f64, f64))| Dimension {
         paths: vec![["crank", "rod", "offset"][at].to_owned()],
@@ -35,7 +36,7 @@ fn task(nominal: [f64; 3], halves: [f64; 3], (samples, seed): (usize, u32)) -> T
         },
     };
     let stroke = stroke(nominal);
-    Task {
+    ToleranceTask {
         dimensions: each.map(dimension).collect(),
         figures: vec![Figure {
             address: "stroke".to_owned(),
@@ -58,7 +59,7 @@ fn stroke([crank, rod, offset]: [f64; 3]) -> f64 {
     reach(rod + crank) - reach(rod - crank)
 }
 
-fn answer(task: &Task, assembled: impl Fn(&[f64; 3]) -> bool) -> Tolerances {
+fn answer(task: &ToleranceTask, assembled: impl Fn(&[f64; 3]) -> bool) -> Tolerances {
     let run = |row: &Vec<f64>| {
         let each = row.iter().zip(&task.dimensions);
         let values: Vec<f64> = each.map(|(own, one)| one.nominal[0] + own).collect();
