@@ -238,7 +238,13 @@ fn dimension(
             }
             .display_unit(model)
         };
-        let unit = number.map_or_else(display, |one| one.si.to_owned());
+        let mut unit = number.map_or_else(display, |one| one.si.to_owned());
+        if unit.is_empty()
+            && let Ok(one) = parse(&format!("1 {}", tolerance.unit()))
+        {
+            // (A property that the scene leaves out is known by the unit of its tolerance alone.)
+            unit = one.dimension.to_string();
+        }
         let one = found.get_or_insert_with(|| Dimension {
             paths: tolerance.paths.clone(),
             nominal: nominal.clone(),

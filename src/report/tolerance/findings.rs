@@ -248,7 +248,11 @@ fn effects_table(found: &Tolerances, number: usize) -> Table {
         ">total index",
     ];
     let change = |value: Option<f64>| {
-        let words = |value: f64, middle: f64| with_unit(value - middle, &figure.unit, FEW);
+        let words = |value: f64, middle: f64| {
+            let change = value - middle;
+            let is_rounding = change.abs() <= 8.0 * f64::EPSILON * middle.abs();
+            with_unit(if is_rounding { 0.0 } else { change }, &figure.unit, FEW)
+        };
         let known = value.zip(figure.middle);
         known.map_or_else(|| "–".to_owned(), |(value, middle)| words(value, middle))
     };
