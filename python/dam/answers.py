@@ -697,8 +697,6 @@ class FoundValue(Answer):
 class Optimum(Answer):
     """The best values of several variables under conditions."""
 
-    _over_first = True
-
     def __init__(self, answer: _dam.Answer, answered: bool, text: str | None) -> None:
         super().__init__(answer)
         self._answered = answered
