@@ -1,8 +1,8 @@
 //! Scenes as the library's user holds them.
 
 use super::{
-    FindQuestion, GradientQuestion, Mechanism, ModelAssessment, PointSource, PreparedScene,
-    ToleranceQuestion,
+    FindQuestion, GradientQuestion, IdentifyQuestion, Mechanism, ModelAssessment, PointSource,
+    PreparedScene, ToleranceQuestion,
 };
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
@@ -17,6 +17,7 @@ use crate::studies::expectations::Requirement;
 use crate::studies::find::FoundValue;
 use crate::studies::forces::ForceStudy;
 use crate::studies::gradient::Gradient;
+use crate::studies::identify::Identification;
 use crate::studies::kinematics::{Kinematics, Question};
 use crate::studies::run::RunResult;
 use crate::studies::steady::Answer;
@@ -455,6 +456,49 @@ impl Scene {
         };
         let source = self.point_source()?;
         super::tolerance::tolerance(question, &source, &prepare, control, &|_, _| {})
+    }
+
+    /// Numbers of the scene from records of its motion, by least squares.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// use dam::ask::{IdentifyQuestion, MeasuredRecord};
+    /// use dam::studies::Control;
+    ///
+    /// let scene = Scene::read("scenarios/rocker/one_mass.json")?.set("run.duration", 0.02);
+    /// let run = scene.run()?;
+    /// let delta = run.delta("rocker")?;
+    /// let rows = run.times().iter().zip(delta).map(|(t, x)| format!("{t:?},{x:?}"));
+    /// let question = IdentifyQuestion {
+    ///     records: vec![MeasuredRecord {
+    ///         name: "test".to_owned(),
+    ///         text: format!("t [s],x [rad]\n{}", rows.collect::<Vec<_>>().join("\n")),
+    ///         settings: Vec::new(),
+    ///     }],
+    ///     signals: vec!["x=rocker.delta".to_owned()],
+    ///     vary: vec!["rocker.inertia=0.3:0.7 kg m^2".to_owned()],
+    ///     starts: 1,
+    ///     ..IdentifyQuestion::default()
+    /// };
+    /// let found = scene.identify(&question, &Control::default())?;
+    /// let known = found.estimates[0].unknown.given;
+    /// assert!((found.estimates[0].value / known - 1.0).abs() < 1e-6);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The scene is wrong, or can be run at no start; a record cannot be read; there is no such
+    /// number, column or signal.
+    pub fn identify(
+        &self,
+        question: &IdentifyQuestion,
+        control: &Control<'_>,
+    ) -> Result<Identification, Error> {
+        let prepare = |settings: &[String]| {
+            self.with_arguments(settings)
+                .prepare_judging(ModelAssessment::Needed, control)
+        };
+        super::identify::identify(question, &prepare, control, &|_| {})
     }
 
     /// Judges everything that the scene expects, in its order, by the run and the studies that

@@ -5,6 +5,7 @@ mod course;
 mod find;
 mod forces;
 mod gradient;
+mod identify;
 mod kinematics;
 mod linear;
 mod methods;
@@ -18,6 +19,7 @@ pub(crate) use course::CourseArgs;
 pub(crate) use find::FindArgs;
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use gradient::GradientArgs;
+pub(crate) use identify::{IdentifyArgs, RecordEnd};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
@@ -83,6 +85,8 @@ pub(crate) enum Command {
     Gradient(GradientArgs),
     /// What tolerances of dimensions make of results: stack, samples, the share that meets limits
     Tolerance(ToleranceArgs),
+    /// Numbers of a scene from records of its motion, by least squares
+    Identify(IdentifyArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -131,6 +135,7 @@ impl Command {
             | Self::Find(FindArgs { scene, .. })
             | Self::Gradient(GradientArgs { scene, .. })
             | Self::Tolerance(ToleranceArgs { scene, .. })
+            | Self::Identify(IdentifyArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Linearise(LineariseArgs { scene, .. })
             | Self::Response(ResponseArgs { scene, .. })

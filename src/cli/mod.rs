@@ -22,6 +22,7 @@ mod failure;
 mod find;
 mod forces;
 mod gradient;
+mod identify;
 mod input;
 mod interrupt;
 mod journal;
@@ -95,6 +96,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Find(args) => find::command(args, &Terminal),
         Command::Gradient(args) => gradient::command(args),
         Command::Tolerance(args) => tolerance::command(args, &Terminal),
+        Command::Identify(args) => identify::command(args, &Terminal),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Linearise(args) => linearise::command(args, &Terminal),

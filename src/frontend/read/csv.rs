@@ -9,6 +9,7 @@ use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;
 use crate::frontend::diagnostics::{Diagnostic, Place, Source, SourceId};
+use crate::units::quantities::TIME;
 use crate::units::{number_and_unit, parse};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -90,6 +91,25 @@ impl TableFile {
             Ok(())
         })?;
         Ok(rows)
+    }
+
+    /// The numbers of a column over those of the first one, a time; in SI units.
+    ///
+    /// # Errors
+    /// The table cannot be read; there is no such column, or it has another unit.
+    pub fn over_time(
+        &self,
+        column: &str,
+        wanted: QuantityChoice,
+    ) -> Result<Vec<(f64, f64)>, Vec<Diagnostic>> {
+        let csv = Csv::new(&self.source.text, self.id).map_err(|fault| vec![*fault])?;
+        let time = csv
+            .columns
+            .first()
+            .map_or("", |first| first.name)
+            .to_owned();
+        let rows = self.rows(Some(&[time, column.to_owned()]), [TIME.into(), wanted])?;
+        Ok(rows.into_iter().map(|(row, _)| row).collect())
     }
 
     /// The same as a list in a scene has them; `None`: something is wrong.
