@@ -1,6 +1,6 @@
 //! Tornado and histogram of a result.
 
-use super::{by_effect, heading};
+use super::by_effect;
 use crate::report::addresses::{parameter_words, result_words};
 use crate::report::plot::{Axis, LineStyle, Plot, Rule, Series};
 use crate::studies::tolerance::{FigureTolerance, SIGMAS, Tolerances};
@@ -58,7 +58,7 @@ fn tornado(found: &Tolerances, number: usize) -> Option<Plot> {
     });
     Some(Plot {
         id: format!("{}.tornado", figure.figure),
-        title: format!("{}, one number at its limits", heading(&figure.figure)),
+        title: "One number at its limits".to_owned(),
         x: Axis {
             range: with_margin(runs_and_stack.iter().flatten().map(|point| point.0)),
             ..Axis::new("", &figure.unit)

@@ -26,6 +26,9 @@ pub(super) struct Looked {
     pub(super) violation: f64,
 }
 
+/// A place with its figures and values.
+type Best = (Vec<f64>, Vec<f64>, Values);
+
 /// The question of one start.
 pub(super) struct Scaled<'t> {
     pub(super) task: &'t Task<'t>,
@@ -36,7 +39,7 @@ pub(super) struct Scaled<'t> {
     /// Places in the order in which they were looked at; `None`: without values.
     pub(super) trace: RefCell<Vec<Option<Looked>>>,
     /// The best place that was looked at, with its figures and values.
-    pub(super) best: RefCell<Option<(Vec<f64>, Vec<f64>, Values)>>,
+    pub(super) best: RefCell<Option<Best>>,
     /// Why the last place without values has none.
     pub(super) cause: RefCell<String>,
     last: RefCell<Option<(Vec<f64>, Vec<f64>)>>,

@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn results_that_are_missing_are_done_without() {
-        let found = slope_of(|x| (x < 0.06).then(|| 2.0 * x), 0.1).unwrap();
+        let found = slope_of(|x| (x < 0.06).then_some(2.0 * x), 0.1).unwrap();
         assert!((found.value - 2.0).abs() < 1e-13);
         assert!(
             slope_of(|x| (x < 0.03).then_some(x), 0.1)
