@@ -28,6 +28,10 @@ pub(super) fn begins(kind: &str, own: Option<(&str, &Map<String, Value>)>) -> Va
         if motion == "travel" && own.is_some_and(|(_, own)| own.contains_key("planetary")) {
             return Value::Null;
         }
+        // A block that begins away from zero wants a drive that begins there.
+        if own.is_some_and(|(_, own)| begins_away(own)) {
+            return Value::Null;
+        }
         let object = starter.get(motion).unwrap_or(&starter[MOTIONS[0]]);
         own.map_or_else(|| object.clone(), |own| copy(kind, own, object, motion))
     };
@@ -36,6 +40,13 @@ pub(super) fn begins(kind: &str, own: Option<(&str, &Map<String, Value>)>) -> Va
         begins[motion] = of(motion);
     }
     begins
+}
+
+/// True: the driver of a linkage is a block, and its travel is not zero at the start.
+fn begins_away(own: &Map<String, Value>) -> bool {
+    let driver = own.get("driver").and_then(Value::as_str);
+    let pair = driver.and_then(|name| own.get("pairs")?.get(name));
+    own.contains_key("start") && pair.is_some_and(|pair| pair.get("sliding").is_some())
 }
 
 /// A copy of a catalogue object with what it leaves open.

@@ -39,8 +39,8 @@ pub struct Indices {
     pub total: Estimate,
 }
 
-/// Indices of all dimensions from the results of the runs of each point ([`SamplePlan::rows`]
-/// (super::SamplePlan::rows)), all finite; `None`: there are too few points, or nothing varies.
+/// Indices of all dimensions from the results of the runs of each point (`rows` of
+/// [`SamplePlan`](super::SamplePlan)), all finite; `None`: there are too few points, or nothing varies.
 pub(super) fn indices(points: &[Vec<f64>]) -> Option<Vec<Indices>> {
     let count = points
         .first()?
