@@ -14,8 +14,8 @@ use crate::studies::exact::exact_parts;
 use crate::studies::find::{Aim, Goal, figures_of};
 use crate::studies::gradient::names;
 use crate::studies::optimize::{
-    AskedFigure, FinerCheck, MOST_STARTS, MOST_VARIABLES, Optimization, STARTS, Task, Variable,
-    optimize as find_optimum,
+    AskedFigure, FinerCheck, MOST_STARTS, MOST_VARIABLES, Optimization, OptimizationTask, STARTS,
+    Variable, optimize as find_optimum,
 };
 use crate::studies::prepared::{PointQuestion, Prepared, finest_levels};
 use crate::studies::rigid::Rigid;
@@ -106,7 +106,7 @@ pub(crate) fn optimize(
         figures: names,
         digits: None,
     });
-    let task = Task {
+    let task = OptimizationTask {
         step: step(&base),
         variables: resolved.variables,
         conditions: resolved.conditions,

@@ -1,6 +1,6 @@
 //! Where no place meets all conditions: the least violation, and which conditions it is between.
 
-use super::evaluate::Task;
+use super::evaluate::OptimizationTask;
 use super::result::LeastViolation;
 use super::scaled::{FEASIBLE, Scaled, Scales};
 use super::start::Ended;
@@ -78,7 +78,7 @@ impl Problem for Relaxed<'_, '_> {
 
 /// The least violation from where the starts ended; `None`: none ended anywhere.
 pub(super) fn least_violation(
-    task: &Task<'_>,
+    task: &OptimizationTask<'_>,
     scales: &Scales,
     ended: &[Ended],
 ) -> Option<LeastViolation> {

@@ -11,7 +11,7 @@ use crate::studies::{Control, RunSettings};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// A scene with what is chosen and what is asked.
-pub(crate) struct Task<'t> {
+pub(crate) struct OptimizationTask<'t> {
     /// What is chosen.
     pub(crate) variables: Vec<Variable>,
     /// Under which conditions.
@@ -59,7 +59,7 @@ pub(super) struct FigureSlopes {
 /// Derivatives of the figures that have them, as [`gradient`] gives them.
 type Exact = Vec<Option<(f64, Option<Vec<f64>>)>>;
 
-impl Task<'_> {
+impl OptimizationTask<'_> {
     /// The values of the variables at a place, in their units.
     pub(super) fn values_of(&self, at: &[f64]) -> Vec<f64> {
         let each = self.variables.iter().zip(at);

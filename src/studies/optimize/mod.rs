@@ -22,7 +22,7 @@ mod search;
 mod start;
 mod variable;
 
-pub(crate) use evaluate::{AskedFigure, Task};
+pub(crate) use evaluate::{AskedFigure, OptimizationTask};
 pub use result::{
     FinerCheck, FlatStretch, HeldBound, HeldCondition, LeastViolation, Optimization, Optimum,
     SlopeSources, StartEnd, StartResult,

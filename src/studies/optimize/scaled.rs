@@ -1,6 +1,6 @@
 //! The question as the methods take it: one function and conditions, all about 1.
 
-use super::evaluate::{FigureSlopes, Task};
+use super::evaluate::{FigureSlopes, OptimizationTask};
 use crate::math::optimise::constrained::{Problem, Slopes, Values};
 use crate::studies::condition::Relation;
 use crate::studies::find::Aim;
@@ -31,7 +31,7 @@ type Best = (Vec<f64>, Vec<f64>, Values);
 
 /// The question of one start.
 pub(super) struct Scaled<'t> {
-    pub(super) task: &'t Task<'t>,
+    pub(super) task: &'t OptimizationTask<'t>,
     pub(super) scales: &'t Scales,
     /// The conditions in the order of the methods: equalities first.
     pub(super) order: Vec<usize>,
@@ -49,7 +49,7 @@ pub(super) struct Scaled<'t> {
 }
 
 impl<'t> Scaled<'t> {
-    pub(super) fn new(task: &'t Task<'t>, scales: &'t Scales) -> Self {
+    pub(super) fn new(task: &'t OptimizationTask<'t>, scales: &'t Scales) -> Self {
         let equal = |own: &usize| task.conditions[*own].relation == Relation::Equal;
         let (mut order, others): (Vec<usize>, Vec<usize>) =
             (0..task.conditions.len()).partition(equal);
@@ -169,14 +169,14 @@ impl<'t> Scaled<'t> {
 }
 
 /// The goal at a place whose figures are known, in its unit.
-pub(super) fn goal(task: &Task<'_>, at: &[f64], figures: &[f64]) -> f64 {
+pub(super) fn goal(task: &OptimizationTask<'_>, at: &[f64], figures: &[f64]) -> f64 {
     match task.goal_variable() {
         Some(variable) => task.variables[variable].value(at[variable]),
         None => figures[task.goal_figure()],
     }
 }
 
-impl Task<'_> {
+impl OptimizationTask<'_> {
     /// The variable that is itself to be least or greatest.
     pub(super) fn goal_variable(&self) -> Option<usize> {
         let of = self.goal.of.as_str();

@@ -2,7 +2,7 @@
 
 use super::Optimization;
 use super::conflict::least_violation;
-use super::evaluate::Task;
+use super::evaluate::OptimizationTask;
 use super::result::{FlatStretch, HeldBound, HeldCondition, Optimum, SlopeSources, StartEnd};
 use super::scaled::{FEASIBLE, Scaled, Scales, goal};
 use super::start::{EndPlace, Ended, go};
@@ -20,7 +20,7 @@ const AS_GOOD: f64 = 1e-6;
 
 /// Finds the best values; `own`: the values of the scene itself, in the units of the variables.
 pub(crate) fn optimize(
-    mut task: Task<'_>,
+    mut task: OptimizationTask<'_>,
     own: &[f64],
     count: usize,
     threads: usize,
@@ -60,7 +60,7 @@ pub(crate) fn optimize(
 }
 
 /// Where the starts begin, as shares of the ranges: at the values that are given, then evenly.
-fn places(task: &Task<'_>, own: &[f64], count: usize) -> Vec<Vec<f64>> {
+fn places(task: &OptimizationTask<'_>, own: &[f64], count: usize) -> Vec<Vec<f64>> {
     let each = task.variables.iter().zip(own);
     let first = each.map(|(variable, own)| {
         let given = variable.start.unwrap_or(*own);
@@ -93,7 +93,11 @@ fn in_order<T: Send>(
 }
 
 /// Sizes of the goal and of the conditions: how far they differ from start to start.
-fn scales(task: &Task<'_>, places: &[Vec<f64>], figures: &[Option<Vec<f64>>]) -> Scales {
+fn scales(
+    task: &OptimizationTask<'_>,
+    places: &[Vec<f64>],
+    figures: &[Option<Vec<f64>>],
+) -> Scales {
     let known = || {
         places
             .iter()
@@ -127,7 +131,7 @@ fn scales(task: &Task<'_>, places: &[Vec<f64>], figures: &[Option<Vec<f64>>]) ->
 }
 
 /// The distinct optima, the best first, and which start ended at which.
-fn gather(task: &Task<'_>, scales: &Scales, ended: &[Ended], found: &mut Optimization) {
+fn gather(task: &OptimizationTask<'_>, scales: &Scales, ended: &[Ended], found: &mut Optimization) {
     let mut ends: Vec<(usize, &EndPlace)> = (ended.iter().enumerate())
         .filter_map(|(number, one)| Some((number, one.found.as_ref()?)))
         .filter(|(_, end)| end.violation <= FEASIBLE)

@@ -1,6 +1,6 @@
 //! One start: where it ends, and what holds it there.
 
-use super::evaluate::{ENDED, Task};
+use super::evaluate::{ENDED, OptimizationTask};
 use super::result::{StartEnd, StartResult};
 use super::scaled::{FEASIBLE, Looked, Scaled, Scales};
 use crate::math::optimise::constrained::{
@@ -45,7 +45,7 @@ pub(super) struct EndPlace {
 }
 
 /// Goes from a start to where nothing is better.
-pub(super) fn go(task: &Task<'_>, scales: &Scales, start: &[f64]) -> Ended {
+pub(super) fn go(task: &OptimizationTask<'_>, scales: &Scales, start: &[f64]) -> Ended {
     let problem = Scaled::new(task, scales);
     let mut result = StartResult {
         from: task.values_of(start),
