@@ -758,7 +758,7 @@ class Gradient(Answer):
         """The derivative of a result by a number, in SI units; `None`: the verdict leaves none."""
         return cast("float | None", self._of(figure, by)["derivative"])
 
-    def verdict(self, figure: str, by: str) -> str:
+    def verdict_of(self, figure: str, by: str) -> str:
         """What that derivative is worth: `exact`, `one-sided`, `not determined`, …"""
         return cast("str", self._of(figure, by)["verdict"])
 

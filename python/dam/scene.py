@@ -349,7 +349,9 @@ class Scene:
         `"rocker.law"` (default: every law), `"rocker.load"`. `outputs`: `"rocker.delta"`, default
         all. `accuracy`: relative error of the model up to which a response counts as right."""
         names = [[one] if isinstance(one, str) else list(one) for one in (inputs, outputs)]
-        found = self._core.response([float(one) for one in frequencies], *names, accuracy)
+        found = self._core.response(
+            [float(one) for one in frequencies], names[0], names[1], accuracy
+        )
         return answers.FrequencyResponse(found)
 
     def orders(

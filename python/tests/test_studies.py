@@ -306,7 +306,7 @@ def test_derivatives_go_through_contacts(scenarios: Path) -> None:
     # Of tests/reference/design-gradients.json.
     slope = found.derivative("rocker.delta_max", "rocker.inertia")
     assert slope == pytest.approx(4.4863653894093365, rel=1e-8)
-    assert found.verdict("rocker.pair.closures", "rocker.inertia") == "not applicable"
+    assert found.verdict_of("rocker.pair.closures", "rocker.inertia") == "not applicable"
     with pytest.raises(dam.SceneError, match="counts"):
         scene.gradient("rocker.masses")
 
