@@ -666,8 +666,8 @@ class Stroke(Answer):
     _over_first = True
 
 
-class FoundValue(Answer):
-    """The best value of a parameter under conditions."""
+class _Answered(Answer):
+    """An answer that may leave its question open."""
 
     def __init__(self, answer: _dam.Answer, answered: bool) -> None:
         super().__init__(answer)
@@ -675,8 +675,12 @@ class FoundValue(Answer):
 
     @property
     def answered(self) -> bool:
-        """Whether there is an answer, and nothing that is unknown could change it."""
+        """Whether the question is answered for certain, as the exit status of the command says."""
         return self._answered
+
+
+class FoundValue(_Answered):
+    """The best value of a parameter under conditions."""
 
     @property
     def value(self) -> float | None:
@@ -694,20 +698,14 @@ class FoundValue(Answer):
         return [(float(first["value"]), float(last["value"])) for first, last in ends]
 
 
-class Optimum(Answer):
+class Optimum(_Answered):
     """The best values of several variables under conditions."""
 
     _over_first = True
 
     def __init__(self, answer: _dam.Answer, answered: bool, text: str | None) -> None:
-        super().__init__(answer)
-        self._answered = answered
+        super().__init__(answer, answered)
         self._text = text
-
-    @property
-    def answered(self) -> bool:
-        """Whether there is an optimum that stands."""
-        return self._answered
 
     @property
     def values(self) -> dict[str, float] | None:
@@ -742,17 +740,8 @@ class Optimum(Answer):
         return self._text
 
 
-class Gradient(Answer):
+class Gradient(_Answered):
     """Derivatives of results by numbers of a scene."""
-
-    def __init__(self, answer: _dam.Answer, answered: bool) -> None:
-        super().__init__(answer)
-        self._answered = answered
-
-    @property
-    def answered(self) -> bool:
-        """Whether all derivatives are determined, and none failed the check."""
-        return self._answered
 
     def derivative(self, figure: str, by: str) -> float | None:
         """The derivative of a result by a number, in SI units; `None`: the verdict leaves none."""
@@ -767,17 +756,8 @@ class Gradient(Answer):
         return found[figure]["by"][by]
 
 
-class Tolerances(Answer):
+class Tolerances(_Answered):
     """The tolerance of results: stack, effects of the dimensions, samples, yield."""
-
-    def __init__(self, answer: _dam.Answer, answered: bool) -> None:
-        super().__init__(answer)
-        self._answered = answered
-
-    @property
-    def answered(self) -> bool:
-        """Whether every result has a value in the middle of the tolerances."""
-        return self._answered
 
     @property
     def share(self) -> float | None:

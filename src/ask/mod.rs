@@ -63,7 +63,7 @@ pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
 pub use mechanism::{Mechanism, ModelAssessment};
 pub use optimize::OptimizeQuestion;
-pub(crate) use optimize::{SceneSource, optimize};
+pub(crate) use optimize::optimize;
 pub(crate) use prepared::PointSource;
 pub use prepared::{PointTable, PreparedScene};
 pub use run::RunOptions;

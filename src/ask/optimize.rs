@@ -1,14 +1,14 @@
 //! The best values of several variables under conditions.
 
 use super::gradient::figure_unit;
-use super::prepared::numbers;
+use super::prepared::{PointSource, numbers};
 use super::{Mechanism, ModelAssessment};
 use crate::Error;
 use crate::dynamics::builder::spec::Level;
 use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::frontend::lower::lower;
-use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, in_words};
+use crate::frontend::scene::{Levels, Reading, in_words};
 use crate::studies::condition::{Condition, Relation};
 use crate::studies::exact::exact_parts;
 use crate::studies::find::{Aim, Goal, figures_of};
@@ -51,22 +51,6 @@ pub struct OptimizeQuestion {
     pub threads: Option<usize>,
 }
 
-/// A scene as it is written.
-#[derive(Clone, Copy)]
-pub(crate) struct SceneSource<'s> {
-    pub(crate) document: &'s Document,
-    pub(crate) catalogue: &'s (dyn Catalogue + Sync),
-    /// Settings made before everything else.
-    pub(crate) fixed: &'s [String],
-}
-
-impl SceneSource<'_> {
-    fn read(&self, further: &[String]) -> Result<Reading, Diagnostics> {
-        let all = self.fixed.iter().chain(further).cloned();
-        self.document.scene(self.catalogue, &Overrides::new(all))
-    }
-}
-
 /// Finds the best values. `heard`: receives the number of places that were looked at, from any
 /// thread.
 ///
@@ -74,7 +58,7 @@ impl SceneSource<'_> {
 /// As of [`Scene::optimize`](super::Scene::optimize).
 pub(crate) fn optimize(
     question: &OptimizeQuestion,
-    source: SceneSource<'_>,
+    source: &PointSource<'_, '_>,
     control: &Control<'_>,
     heard: &(dyn Fn(usize) + Sync),
 ) -> Result<Optimization, Error> {
@@ -82,7 +66,7 @@ pub(crate) fn optimize(
         let message = "a browser tab has no optimiser; `dam optimize` and `dam studio` have one";
         return Err(Error::question(message));
     }
-    let reading = source.read(&[])?;
+    let reading = source.decode(&[])?;
     let model = lower(&reading.scene).map_err(|faults| reading.places.diagnose(&faults))?;
     let resolved = Resolved::of(question, &reading, &model, source)?;
     let names: Vec<String> = (resolved.figures.iter())
@@ -91,8 +75,8 @@ pub(crate) fn optimize(
         .collect();
     let is_rigid = names.iter().any(|figure| lookup::is_rigid(figure));
     let rigid = Rigid::label(&model, &["dam run"]).filter(|_| is_rigid);
-    let levels = finest_levels(std::iter::once(source.read(&[])?), &names);
-    let base = ready(source.read(&[])?, &levels, control)?;
+    let levels = finest_levels(std::iter::once(source.decode(&[])?), &names);
+    let base = ready(source.decode(&[])?, &levels, control)?;
     let prepared = Prepared::new(PointQuestion {
         document: Arc::new(
             source
@@ -100,8 +84,8 @@ pub(crate) fn optimize(
                 .without_expectations()
                 .with_levels(levels.clone()),
         ),
-        catalogue: Arc::new(source.catalogue),
-        fixed: source.fixed.to_vec(),
+        catalogue: Arc::clone(&source.catalogue),
+        fixed: source.settings.to_vec(),
         parameters: resolved.variables.iter().map(Variable::parameter).collect(),
         figures: names,
         digits: None,
@@ -130,7 +114,7 @@ pub(crate) fn optimize(
         let settings: Vec<String> = each
             .map(|(variable, value)| variable.parameter().setting(*value))
             .collect();
-        let written = source.read(&settings)?;
+        let written = source.decode(&settings)?;
         found.scene_text = source.document.decoded(&written.places).text().to_owned();
         found.finer = Some(finer_check(&found, written, &levels, control));
         found.settings = settings;
@@ -170,7 +154,7 @@ impl Resolved {
         question: &OptimizeQuestion,
         reading: &Reading,
         model: &Model,
-        source: SceneSource<'_>,
+        source: &PointSource<'_, '_>,
     ) -> Result<Self, Error> {
         let mut wrong: Vec<Diagnostic> = Vec::new();
         let mut fault = |what: String| wrong.push(Diagnostic::error("question", what));
@@ -233,12 +217,12 @@ impl Resolved {
 }
 
 /// What is wrong with values within the ranges: units, numbers that count.
-fn refused_values(variables: &[Variable], source: SceneSource<'_>) -> Vec<Diagnostic> {
+fn refused_values(variables: &[Variable], source: &PointSource<'_, '_>) -> Vec<Diagnostic> {
     let mut wrong = Vec::new();
     for variable in variables {
         // (Between the ends no number is whole by chance.)
         let between = variable.low + 0.4321 * (variable.high - variable.low);
-        let Err(found) = source.read(&[variable.parameter().setting(between)]) else {
+        let Err(found) = source.decode(&[variable.parameter().setting(between)]) else {
             continue;
         };
         for fault in found.items {

@@ -1,6 +1,6 @@
 //! Scenes as the library's user holds them.
 
-use super::optimize::{SceneSource, optimize};
+use super::optimize::optimize;
 use super::{
     FindQuestion, GradientQuestion, Mechanism, ModelAssessment, OptimizeQuestion, PointSource,
     PreparedScene, ToleranceQuestion,
@@ -417,13 +417,7 @@ impl Scene {
         question: &OptimizeQuestion,
         control: &Control<'_>,
     ) -> Result<Optimization, Error> {
-        self.built_soundly()?;
-        let source = SceneSource {
-            document: &self.document,
-            catalogue: &*self.catalogue,
-            fixed: self.settings.arguments(),
-        };
-        optimize(question, source, control, &|_| {})
+        optimize(question, &self.point_source()?, control, &|_| {})
     }
 
     /// Derivatives of results of the run by numbers of the scene, carried through all contacts.

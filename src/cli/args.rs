@@ -16,7 +16,7 @@ mod verify;
 
 pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use course::CourseArgs;
-pub(crate) use find::FindArgs;
+pub(crate) use find::{FindArgs, goal};
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use gradient::GradientArgs;
 pub(crate) use kinematics::KinematicsArgs;

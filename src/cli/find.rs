@@ -1,7 +1,7 @@
 //! `dam find`: the best value of a parameter under conditions.
 
 use super::answer::{Answer, AnswerForm, Content, PAGE};
-use super::args::FindArgs;
+use super::args::{FindArgs, goal};
 use super::asker::Asker;
 use super::failure::Failure;
 use super::input::{Ready, print_doubts};
@@ -12,7 +12,6 @@ use super::status::Status;
 use crate::ask::{FindQuestion, ModelAssessment, find};
 use crate::report::find::findings;
 use crate::report::findings::Source;
-use crate::studies::find::Aim;
 
 const FILES: [&str; 2] = ["found.json", PAGE];
 
@@ -23,15 +22,10 @@ pub(crate) fn command(args: &FindArgs, asker: &dyn Asker) -> Result<Status, Fail
     print_doubts(&given, args.scene.quiet);
     let (scene, hash) = (given.scene.name, given.scene.hash);
     let folder = OutputFolder::from_args(&args.out, &scene, &FILES)?;
-    let goal = match (&args.maximize, &args.minimize) {
-        (Some(of), _) => Some((Aim::Maximize, of.clone())),
-        (None, Some(of)) => Some((Aim::Minimize, of.clone())),
-        (None, None) => None,
-    };
     let question = FindQuestion {
         vary: args.vary.clone(),
         subject: args.subject.clone(),
-        goal,
+        goal: goal(&args.maximize, &args.minimize),
         threads: args.threads.map(usize::from),
     };
     interrupt::enter(Stage::Answering);

@@ -1,17 +1,16 @@
 //! `dam optimize`: the best values of several variables under conditions.
 
 use super::answer::{Answer, AnswerForm, Content, PAGE};
-use super::args::OptimizeArgs;
+use super::args::{OptimizeArgs, goal};
 use super::failure::Failure;
 use super::input::{Input, print_doubts};
 use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Count;
 use super::status::Status;
-use crate::ask::{OptimizeQuestion, SceneSource, optimize};
+use crate::ask::{OptimizeQuestion, optimize};
 use crate::report::findings::Source;
 use crate::report::optimize::findings;
-use crate::studies::find::Aim;
 
 const FILES: [&str; 3] = ["optimized.json", "optimization.json", PAGE];
 
@@ -22,30 +21,22 @@ pub(crate) fn command(args: &OptimizeArgs) -> Result<Status, Failure> {
     print_doubts(&given, args.scene.quiet);
     let (scene, hash) = (given.scene.name, given.scene.hash);
     let folder = OutputFolder::from_args(&args.out, &scene, &FILES)?;
-    let goal = match (&args.maximize, &args.minimize) {
-        (Some(of), _) => Some((Aim::Maximize, of.clone())),
-        (None, Some(of)) => Some((Aim::Minimize, of.clone())),
-        (None, None) => None,
-    };
     let question = OptimizeQuestion {
         vary: args.vary.clone(),
         subject: args.subject.clone(),
-        goal,
+        goal: goal(&args.maximize, &args.minimize),
         starts: usize::from(args.starts),
         threads: args.threads.map(usize::from),
     };
     interrupt::enter(Stage::Answering);
     let _keeping = interrupt::hold_interrupt();
     let count = Count::new(&scene, "places", args.scene.quiet);
-    let catalogue = input.catalogue();
-    let source = SceneSource {
-        document: input.document(),
-        catalogue: &catalogue,
-        fixed: &args.scene.set,
-    };
-    let found = optimize(&question, source, interrupt::budget(), &|done| {
-        count.set(done);
-    });
+    let found = optimize(
+        &question,
+        &input.point_source(),
+        interrupt::budget(),
+        &|done| count.set(done),
+    );
     count.finish();
     let found = found?;
     // Without an optimum there is no scene to write.

@@ -1,6 +1,7 @@
 //! Arguments of `dam find`.
 
 use crate::cli::args::scene::{OutArgs, SceneArgs};
+use crate::studies::find::Aim;
 use clap::Args;
 
 /// Arguments of `dam find`.
@@ -33,4 +34,12 @@ pub(crate) struct FindArgs {
     pub(crate) threads: Option<u16>,
     #[command(flatten)]
     pub(crate) out: OutArgs,
+}
+
+/// What is to be greatest or least; `None`: nothing.
+pub(crate) fn goal(maximize: &Option<String>, minimize: &Option<String>) -> Option<(Aim, String)> {
+    let greatest = maximize.iter().map(|of| (Aim::Maximize, of));
+    let least = minimize.iter().map(|of| (Aim::Minimize, of));
+    let mut all = greatest.chain(least);
+    all.next().map(|(aim, of)| (aim, of.clone()))
 }
