@@ -9,9 +9,9 @@ use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Levels, Reading, in_words};
-use crate::studies::condition::{Condition, Relation};
+use crate::studies::condition::{Condition, Relation, counts};
 use crate::studies::exact::exact_parts;
-use crate::studies::find::{Aim, Goal, figures_of};
+use crate::studies::find::{Aim, Goal, State, figures_of};
 use crate::studies::gradient::names;
 use crate::studies::optimize::{
     AskedFigure, FinerCheck, MOST_STARTS, MOST_VARIABLES, Optimization, OptimizationTask, STARTS,
@@ -33,6 +33,9 @@ const LONGEST_STEP: f64 = 0.02;
 
 /// Share of its size by which a condition may be violated by a finer model.
 const FINER: f64 = 1e-4;
+
+/// Share of itself by which the goal may move with a finer model, if no start tells what is gained.
+const MOVED: f64 = 0.01;
 
 /// What is sought.
 #[derive(Clone, Debug, Default)]
@@ -118,6 +121,7 @@ pub(crate) fn optimize(
         found.scene_text = source.document.decoded(&written.places).text().to_owned();
         found.finer = Some(finer_check(&found, written, &levels, control));
         found.settings = settings;
+        found.complete &= !control.is_spent();
     }
     Ok(found)
 }
@@ -187,7 +191,15 @@ impl Resolved {
                 Err(what) => fault(format!("--subject {what}")),
             }
         }
+        let is_wrong_variable = |of: &String| {
+            let named = |text: &String| text.split('=').next().map(str::trim) == Some(of);
+            question.vary.iter().any(named) && !variables.iter().any(|one| one.path == *of)
+        };
         let goal = match &question.goal {
+            // What is wrong with it is said of its range.
+            Some((_, of)) if is_wrong_variable(of) => {
+                return Err(Diagnostics::new(Sources::default(), wrong).into());
+            }
             Some((aim, of)) => goal(*aim, of, &variables, model),
             None => Err("nothing is to be best: name it with --minimize or --maximize".to_owned()),
         };
@@ -276,17 +288,28 @@ fn unit_of(figure: &str, model: &Model) -> Result<String, String> {
     Condition::unit_of(figure, model).or_else(|what| figure_unit(figure, model).map_err(|_| what))
 }
 
+fn aim_option(aim: Aim) -> &'static str {
+    match aim {
+        Aim::Maximize => "maximize",
+        Aim::Minimize => "minimize",
+    }
+}
+
 fn goal(aim: Aim, of: &str, variables: &[Variable], model: &Model) -> Result<Goal, String> {
     let variable = variables.iter().find(|one| one.path == of);
+    if variable.is_none() && counts(of) {
+        return Err(format!(
+            "--{} {of}: it counts or answers, and has no slopes; name a result that changes \
+             smoothly",
+            aim_option(aim)
+        ));
+    }
     let unit = match variable {
         Some(variable) => variable.unit.clone(),
         None => unit_of(of, model).map_err(|what| {
             format!(
                 "--{} {of}: {what}; name a result, or a variable",
-                match aim {
-                    Aim::Maximize => "maximize",
-                    Aim::Minimize => "minimize",
-                }
+                aim_option(aim)
             )
         })?,
     };
@@ -332,6 +355,12 @@ fn finer_check(
 ) -> FinerCheck {
     let mut check = FinerCheck::default();
     let refused = |check: FinerCheck, why_not: String| FinerCheck { why_not, ..check };
+    // There is a finer model, and it does not confirm what was found.
+    let failed = |check: FinerCheck, why_not: String| FinerCheck {
+        why_not,
+        stands: Some(false),
+        ..check
+    };
     let Some(best) = found.optima.first() else {
         return check;
     };
@@ -349,7 +378,7 @@ fn finer_check(
     check.levels = in_words(&refined);
     let finer = match ready(reading, &refined, control) {
         Ok(finer) => finer,
-        Err(error) => return refused(check, error.to_string()),
+        Err(error) => return failed(check, error.to_string()),
     };
     let of_goal = (!found.goal.is_parameter).then_some(found.goal.of.as_str());
     let of_conditions = found.conditions.iter().map(|one| one.figure.as_str());
@@ -358,20 +387,22 @@ fn finer_check(
     names.dedup();
     names.retain(|name| Condition::unit_of(name, finer.model()).is_ok());
     let figures = match figures_of(names, finer.subject(control)) {
-        Ok(Some((figures, _))) => figures,
+        Ok(Some((figures, State::Computed))) => figures,
+        Ok(Some((_, State::Refused(why) | State::Stopped(why) | State::NotTrusted(why)))) => {
+            return failed(check, why);
+        }
         Ok(None) => return refused(check, "ended before it was known".to_owned()),
         Err(faults) => {
             let first = faults.first().map_or("", |fault| fault.message.as_str());
-            return refused(check, first.to_owned());
+            return failed(check, first.to_owned());
         }
     };
     let figure = |name: &str| figures.get(name).copied().flatten();
-    check.goal = match of_goal {
-        Some(name) => figure(name),
-        None => Some(best.goal),
-    };
+    check.goal = of_goal.and_then(figure);
+    let mut unknown = of_goal.filter(|_| check.goal.is_none()).map(str::to_owned);
     for (own, condition) in found.conditions.iter().enumerate() {
         let Some(value) = figure(&condition.figure) else {
+            unknown.get_or_insert_with(|| condition.figure.clone());
             continue;
         };
         let before = best.conditions[own].figure;
@@ -386,12 +417,17 @@ fn finer_check(
     }
     check.gain = gain(found, best.goal);
     check.moved = check.goal.map(|goal| (goal - best.goal).abs());
-    let Some(moved) = check.moved else {
-        return refused(check, "the goal has no value by the finer model".to_owned());
-    };
-    let small = check.gain.is_none_or(|gain| moved <= gain);
-    check.stands = Some(small && check.violated.is_empty());
-    check
+    // (A variable that is itself the goal does not move.)
+    let moved = check.moved.unwrap_or(0.0);
+    let most = check.gain.unwrap_or(MOVED * best.goal.abs());
+    let stands = moved <= most && check.violated.is_empty();
+    match unknown {
+        Some(one) if stands => refused(check, format!("`{one}` has no value by it")),
+        _ => FinerCheck {
+            stands: Some(stands),
+            ..check
+        },
+    }
 }
 
 /// What the optimum gains over the best start that meets the conditions where it begins.

@@ -78,7 +78,10 @@ pub(crate) fn tolerance(
         &mut wrong,
     );
     let limits = limits(&question.limits, system.model(), &mut wrong);
-    let figures = figures(&question.figures, &limits, system.model(), &mut wrong);
+    let mut figures = figures(&question.figures, &limits, system.model(), &mut wrong);
+    for figure in &mut figures {
+        figure.exact = vec![None; dimensions.len()];
+    }
     if question.samples > MOST_SAMPLES {
         let message = format!("{} samples are wanted", question.samples);
         let hint = format!("give at most {MOST_SAMPLES}");
@@ -127,7 +130,7 @@ pub(crate) fn tolerance(
         )
     };
     let mut found = tolerances(&task, &evaluate).map_err(Error::question)?;
-    found.remarks = remarks;
+    found.remarks.splice(0..0, remarks);
     Ok(found)
 }
 
@@ -365,10 +368,6 @@ fn take_exact(
     model: &Model,
     control: &Control<'_>,
 ) -> Option<String> {
-    let count = task.dimensions.len();
-    for figure in &mut task.figures {
-        figure.exact = vec![None; count];
-    }
     let has_derivatives = |figure: &Figure| {
         let plain = !figure.counts && !figure.address.contains(' ');
         plain && figure_unit(&figure.address, model).is_ok()

@@ -39,20 +39,20 @@ pub(crate) fn command(args: &OptimizeArgs) -> Result<Status, Failure> {
     );
     count.finish();
     let found = found?;
-    // Without an optimum there is no scene to write.
-    let optimized = || match found.scene_text.as_str() {
-        "" => "null\n".to_owned(),
-        text => format!("{text}\n"),
-    };
+    let optimized = || format!("{}\n", found.scene_text);
     let answer = Answer {
         command: "optimize",
         findings: &findings(&scene, &found, Source::scene(input.text(), &hash)),
         document: found.document(&scene).into(),
-        files: vec![
-            (FILES[0].to_owned(), Content::made(optimized)),
-            (FILES[1].to_owned(), Content::Document),
-            (FILES[2].to_owned(), Content::Page),
-        ],
+        files: [
+            // Without an optimum there is no scene to write.
+            (!found.scene_text.is_empty()).then(|| (FILES[0].to_owned(), Content::made(optimized))),
+            Some((FILES[1].to_owned(), Content::Document)),
+            Some((FILES[2].to_owned(), Content::Page)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
         quiet: args.scene.quiet,
     };
     let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);

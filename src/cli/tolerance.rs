@@ -49,7 +49,13 @@ pub(crate) fn command(args: &ToleranceArgs, asker: &dyn Asker) -> Result<Status,
         },
     );
     bar.finish();
-    let found = found?;
+    let found = match found {
+        Err(_) if budget.is_spent() => {
+            let what = "ended before anything was known of the tolerances: give it more time";
+            return Err(Failure::Output(what.to_owned()));
+        }
+        found => found?,
+    };
     let answer = Answer {
         command: "tolerance",
         findings: &findings(&scene, &found, Source::scene(input.text(), &hash)),

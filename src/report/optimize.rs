@@ -180,8 +180,11 @@ fn without_optimum(answer: &Optimization) -> (Sort, String, String) {
             });
             let all: Vec<String> = all.collect();
             match all.as_slice() {
-                [one] => format!("Within the ranges {one} cannot be met."),
-                all => format!("{} contradict each other.", capitalised(&all.join(" and "))),
+                [one] => format!("Nothing near the least violation brings {one} closer."),
+                all => format!(
+                    "At the least violation {} contradict each other.",
+                    all.join(" and ")
+                ),
             }
         }
         _ => String::new(),
@@ -257,16 +260,7 @@ fn conditions_table(answer: &Optimization, best: &Optimum) -> Table {
                 &condition.text,
                 condition_words(&condition.text, &condition.figure),
             ),
-            // At its limit the figure differs from that by rounding alone.
-            Cell::from(figure_words(
-                answer,
-                at,
-                if held.active {
-                    condition.value
-                } else {
-                    held.figure
-                },
-            )),
+            Cell::from(figure_words(answer, at, shown_figure(condition, held))),
             Cell::from(if held.active { "at its limit" } else { "holds" }).with_outcome(Some(true)),
             Cell::from(worth),
         ]
@@ -278,6 +272,18 @@ fn conditions_table(answer: &Optimization, best: &Optimum) -> Table {
         ">change of the goal by the limit",
     ];
     Table::new(heads).rows(each.map(row))
+}
+
+/// The figure of a condition. At its limit it is that, where it differs by rounding alone.
+fn shown_figure(
+    condition: &crate::studies::condition::Condition,
+    held: &crate::studies::optimize::HeldCondition,
+) -> f64 {
+    let apart = (held.figure - condition.value).abs();
+    match held.active && apart <= 1e-9 * condition.value.abs().max(held.figure.abs()) {
+        true => condition.value,
+        false => held.figure,
+    }
 }
 
 /// The conditions where they are violated least.
@@ -451,8 +457,6 @@ fn finer_note(answer: &Optimization) -> Option<String> {
             finer.why_not
         ));
     }
-    let goal = goal_value(answer, finer.goal?, DIGITS);
-    let moved = goal_value(answer, finer.moved?, 2);
     let gain = finer.gain.map_or_else(String::new, |gain| {
         format!(
             "; the optimum gains {} over the best start",
@@ -466,8 +470,13 @@ fn finer_note(answer: &Optimization) -> Option<String> {
         [] => String::new(),
         all => format!(" It violates {}.", all.join(", ")),
     };
-    Some(format!(
-        "A finer model ({}) gives {goal} there. The goal moves by {moved}{gain}.{violated}",
-        finer.levels
-    ))
+    let goal = match (finer.goal, finer.moved) {
+        (Some(goal), Some(moved)) => format!(
+            "gives {} there. The goal moves by {}{gain}.",
+            goal_value(answer, goal, DIGITS),
+            goal_value(answer, moved, 2)
+        ),
+        _ => "was asked for the conditions there.".to_owned(),
+    };
+    Some(format!("A finer model ({}) {goal}{violated}", finer.levels))
 }

@@ -396,3 +396,25 @@ fn what_is_wrong_is_refused_all_at_once() {
     ]);
     assert!(text.contains("middle of the tolerances"), "{text}");
 }
+
+#[test]
+fn levels_that_the_scene_leaves_open_are_chosen_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string("scenarios/rocker/two_masses.json").unwrap();
+    let mut open: Value = serde_json::from_str(&text).unwrap();
+    open["objects"]["rocker"]["masses"] = "auto".into();
+    open["run"]["accuracy"] = "5 %".into();
+    open.as_object_mut().unwrap().remove("expect");
+    let path = scene(folder.path(), &open.to_string());
+    let found = document(&[
+        &path,
+        "--tol",
+        "rocker.inertia=±1 %",
+        "--figure",
+        "rocker.delta_max",
+        "--samples",
+        "0",
+    ]);
+    let own = &found["figures"]["rocker.delta_max"];
+    assert!(own["first_order"]["sigma"].as_f64().unwrap() > 0.0, "{own}");
+}

@@ -165,11 +165,8 @@ fn forces_that_contradict_each_other_are_named() {
     );
     // The preload alone gives 8.773 N at the top of the inertia force: 0.227 N are left for it, and
     // the spring is as stiff as it may be at the bottom.
-    assert!(
-        found
-            .best()
-            .is_none_or(|best| best.conditions[1].figure <= 9.0 + 1e-6)
-    );
+    let best = found.best().expect("an optimum");
+    assert!(best.conditions[1].figure <= 9.0 + 1e-6);
     let tight = ask(
         &cam_and_spring(&case),
         &[format!("{RATE}=0:5000 N/m"), format!("{PRELOAD}=1:100 N")],
@@ -328,4 +325,68 @@ fn an_end_from_outside_is_said() {
             .iter()
             .all(|start| start.end == StartEnd::Interrupted)
     );
+}
+
+/// The follower on its eccentric of the scenario, 0.4 kg at 60 rpm, rigid.
+fn eccentric() -> Scene {
+    let scene = Scene::read("scenarios/cams/eccentric_jump.json").expect("a scene");
+    scene.set("follower.masses", 0).expect("rigid")
+}
+
+#[test]
+fn the_ends_of_a_range_of_ten_decades_do_not_hide_the_optimum() {
+    let limit = ["follower.pair.max_contact_force <= 10 N".to_owned()];
+    let narrow = ask(
+        &eccentric(),
+        &[format!("{RATE}=1:1e4 N/m:log")],
+        &limit,
+        (Aim::Maximize, RATE),
+    );
+    let wide = ask(
+        &eccentric(),
+        &[format!("{RATE}=1:1e10 N/m:log")],
+        &limit,
+        (Aim::Maximize, RATE),
+    );
+    for found in [narrow, wide] {
+        let best = found.best().expect("an optimum");
+        assert!(best.stationary && best.conditions[0].active, "{best:?}");
+        // The force is preload, rate times the stroke, and the inertia: a line in the rate.
+        near(best.conditions[0].figure, 10.0);
+        for other in &found.optima {
+            assert!(other.goal <= best.goal * (1.0 + 1e-9), "{other:?}");
+        }
+    }
+}
+
+#[test]
+fn a_start_on_the_wrong_end_of_a_kink_goes_on() {
+    let question = OptimizeQuestion {
+        vary: vec!["follower.position.sine.amplitude=-20:20:0 mm".to_owned()],
+        goal: Some((Aim::Maximize, "follower.pair.max_contact_force".to_owned())),
+        starts: 1,
+        ..OptimizeQuestion::default()
+    };
+    let found = eccentric().optimize(&question, &Control::default());
+    let found = found.expect("an answer");
+    // At rest the force is the least that there is; differences across it see no slope.
+    let best = found.best().expect("an optimum");
+    assert!(best.values[0].abs() > 1.0, "{best:?}");
+}
+
+#[test]
+fn a_goal_that_counts_is_refused() {
+    for goal in [
+        "follower.pair.in_working_order",
+        "follower.pair.separations",
+    ] {
+        let question = OptimizeQuestion {
+            vary: vec![format!("{RATE}=0:5000 N/m")],
+            goal: Some((Aim::Minimize, goal.to_owned())),
+            ..OptimizeQuestion::default()
+        };
+        let refused = eccentric().optimize(&question, &Control::default());
+        let refused = refused.expect_err("no slopes").to_string();
+        assert!(refused.contains("counts or answers"), "{refused}");
+    }
 }

@@ -191,6 +191,9 @@ fn figure_sections<'a>(found: &Tolerances, number: usize) -> Vec<Section<'a>> {
     vec![section.charts(Layout::Grid, "", charts)]
 }
 
+/// Samples from which on one lies beyond the quantiles: 1/0.025 and 1/0.00135.
+const QUANTILE_FROM: [usize; 2] = [40, 741];
+
 /// The nominal result, and how far all else is from it.
 fn spread_figures(figure: &FigureTolerance) -> Vec<Figure> {
     let base = figure.nominal.or(figure.middle).unwrap_or(f64::NAN);
@@ -228,9 +231,13 @@ fn spread_figures(figure: &FigureTolerance) -> Vec<Figure> {
         all.push(Figure::new("mean", signed(own.mean.value)).with_note(note));
         all.push(spread("σ", own.sigma).with_note("of the samples"));
         let central = [own.quantiles[1], own.quantiles[3]];
-        all.push(Figure::new("95 % of the samples", both(central)));
+        if own.count >= QUANTILE_FROM[0] {
+            all.push(Figure::new("95 % of the samples", both(central)));
+        }
         let wide = [own.quantiles[0], own.quantiles[4]];
-        all.push(Figure::new("99.73 % of the samples", both(wide)));
+        if own.count >= QUANTILE_FROM[1] {
+            all.push(Figure::new("99.73 % of the samples", both(wide)));
+        }
     }
     all
 }

@@ -2,7 +2,7 @@
 
 use super::evaluate::OptimizationTask;
 use super::result::LeastViolation;
-use super::scaled::{FEASIBLE, Scaled, Scales};
+use super::scaled::{FEASIBLE, Scaled};
 use super::start::Ended;
 use crate::math::optimise::constrained::{Problem, Slopes, SmoothPiece, Values, multipliers, sqp};
 use crate::studies::condition::Relation;
@@ -79,7 +79,6 @@ impl Problem for Relaxed<'_, '_> {
 /// The least violation from where the starts ended; `None`: none ended anywhere.
 pub(super) fn least_violation(
     task: &OptimizationTask<'_>,
-    scales: &Scales,
     ended: &[Ended],
 ) -> Option<LeastViolation> {
     let ends = ended.iter().filter_map(|one| one.found.as_ref());
@@ -87,7 +86,7 @@ pub(super) fn least_violation(
     if best.violation <= FEASIBLE {
         return None;
     }
-    let problem = Scaled::new(task, scales);
+    let problem = Scaled::new(task, best.scales.clone());
     let relaxed = Relaxed {
         of: &problem,
         most: 2.0 * best.violation,

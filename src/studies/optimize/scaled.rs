@@ -9,6 +9,11 @@ use std::cell::{Cell, RefCell};
 /// Violation that counts as none, scaled.
 pub(super) const FEASIBLE: f64 = 1e-7;
 
+/// Least size of the goal and of a condition about a place, as a share of their change from start
+/// to start.
+const GOAL_SHARE: f64 = 1e-4;
+const CONDITION_SHARE: f64 = 1e-6;
+
 /// Sizes of the goal and of the conditions.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scales {
@@ -32,7 +37,7 @@ type Best = (Vec<f64>, Vec<f64>, Values);
 /// The question of one start.
 pub(super) struct Scaled<'t> {
     pub(super) task: &'t OptimizationTask<'t>,
-    pub(super) scales: &'t Scales,
+    pub(super) scales: Scales,
     /// The conditions in the order of the methods: equalities first.
     pub(super) order: Vec<usize>,
     equalities: usize,
@@ -49,7 +54,7 @@ pub(super) struct Scaled<'t> {
 }
 
 impl<'t> Scaled<'t> {
-    pub(super) fn new(task: &'t OptimizationTask<'t>, scales: &'t Scales) -> Self {
+    pub(super) fn new(task: &'t OptimizationTask<'t>, scales: Scales) -> Self {
         let equal = |own: &usize| task.conditions[*own].relation == Relation::Equal;
         let (mut order, others): (Vec<usize>, Vec<usize>) =
             (0..task.conditions.len()).partition(equal);
@@ -67,6 +72,50 @@ impl<'t> Scaled<'t> {
             last_slopes: RefCell::default(),
             slopes: Cell::default(),
         }
+    }
+
+    /// The same question in other sizes; what was looked at is known further on.
+    pub(super) fn with_scales(mut self, scales: Scales) -> Self {
+        self.scales = scales;
+        let best = self.best.take();
+        let best = best.map(|(at, figures, _)| {
+            let values = self.scaled(&at, &figures);
+            (at, figures, values)
+        });
+        self.best.replace(best);
+        self
+    }
+
+    /// Sizes about a place: how much goal and conditions change over the ranges by their slopes
+    /// there. What lies far away from it, in a great range, does not count. `None`: no slopes are
+    /// known there.
+    pub(super) fn scales_at(&self, at: &[f64], overall: &Scales) -> Option<Scales> {
+        let figures = self.figures(at)?;
+        let slopes = self.figure_slopes(at)?;
+        let steepness = |slopes: &[f64]| slopes.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let sound = |size: f64, other: f64| match size.is_finite() && size > 0.0 {
+            true => size,
+            false => other,
+        };
+        let goal = match self.task.goal_variable() {
+            Some(variable) => self.task.variables[variable].slope(at[variable]).abs(),
+            None => {
+                let own = self.task.goal_figure();
+                let least = (GOAL_SHARE * overall.goal).max(figures[own].abs().min(overall.goal));
+                steepness(&slopes.values[own]).max(least)
+            }
+        };
+        let condition = |own: usize| {
+            let figure = self.task.figure_of(own);
+            let limit = self.task.conditions[own].value.abs();
+            let least = limit.max(CONDITION_SHARE * overall.conditions[own]);
+            let size = steepness(&slopes.values[figure]).max(least);
+            sound(size, overall.conditions[own])
+        };
+        Some(Scales {
+            goal: sound(goal, overall.goal),
+            conditions: (0..self.task.conditions.len()).map(condition).collect(),
+        })
     }
 
     /// −1 of a greatest value: the methods look for the least.
@@ -197,7 +246,7 @@ impl OptimizationTask<'_> {
 
     fn figure_named(&self, address: &str) -> usize {
         let found = self.figures.iter().position(|one| one.address == address);
-        found.unwrap_or_default()
+        found.expect("the figures of goal and conditions are asked for")
     }
 }
 

@@ -15,8 +15,11 @@ use std::sync::{Mutex, PoisonError};
 /// Distance of two optima, as a share of the range of a variable, from which on they are distinct.
 const DISTINCT: f64 = 0.01;
 
-/// Difference of goals, of its change over the starts, within which two optima are as good.
+/// Difference of goals, as a share of their size, within which two optima are as good.
 const AS_GOOD: f64 = 1e-6;
+
+/// Share of the size of a goal that is rounding.
+const ROUNDING: f64 = 1e-10;
 
 /// Finds the best values; `own`: the values of the scene itself, in the units of the variables.
 pub(crate) fn optimize(
@@ -50,9 +53,9 @@ pub(crate) fn optimize(
         settings: Vec::new(),
         scene_text: String::new(),
     };
-    gather(task, &scales, &ended, &mut found);
+    gather(task, &ended, &mut found);
     if found.optima.is_empty() && !task.control.is_spent() {
-        found.least_violation = least_violation(task, &scales, &ended);
+        found.least_violation = least_violation(task, &ended);
     }
     found.complete = !task.control.is_spent();
     found.evaluations = task.looked.load(Relaxed);
@@ -131,21 +134,23 @@ fn scales(
 }
 
 /// The distinct optima, the best first, and which start ended at which.
-fn gather(task: &OptimizationTask<'_>, scales: &Scales, ended: &[Ended], found: &mut Optimization) {
-    let mut ends: Vec<(usize, &EndPlace)> = (ended.iter().enumerate())
+fn gather(task: &OptimizationTask<'_>, ended: &[Ended], found: &mut Optimization) {
+    let mut ends: Vec<(usize, Scaled<'_>, &EndPlace)> = (ended.iter().enumerate())
         .filter_map(|(number, one)| Some((number, one.found.as_ref()?)))
         .filter(|(_, end)| end.violation <= FEASIBLE)
+        .map(|(number, end)| (number, Scaled::new(task, end.scales.clone()), end))
         .collect();
-    // What is stationary goes before what is as good and is not; then the first start.
-    let rank = |end: &EndPlace| (end.values.objective / AS_GOOD).round();
-    ends.sort_by(|(one, a), (other, b)| {
-        (rank(a).total_cmp(&rank(b)))
-            .then(b.stationary.cmp(&a.stationary))
-            .then(one.cmp(other))
-    });
-    let problem = Scaled::new(task, scales);
-    for (number, end) in ends {
-        let same = |known: &Optimum| is_same(known, &end.at, end.values.objective, &problem);
+    let goal =
+        |problem: &Scaled<'_>, end: &EndPlace| problem.sign() * problem.goal(&end.at, &end.figures);
+    ends.sort_by(|(_, one, a), (_, other, b)| goal(one, a).total_cmp(&goal(other, b)));
+    // Of those as good as the best what is stationary goes first, then the first start.
+    if let Some((_, problem, end)) = ends.first() {
+        let (best, room) = (goal(problem, end), as_good(problem, end));
+        let as_good = ends.partition_point(|(_, one, a)| goal(one, a) <= best + room);
+        ends[..as_good].sort_by_key(|(number, _, end)| (!end.stationary, *number));
+    }
+    for (number, problem, end) in &ends {
+        let same = |known: &Optimum| is_same(known, end, problem);
         let at = match found.optima.iter().position(same) {
             Some(at) => at,
             None => {
@@ -154,13 +159,13 @@ fn gather(task: &OptimizationTask<'_>, scales: &Scales, ended: &[Ended], found: 
                     continue;
                 }
                 let is_best = found.optima.is_empty();
-                found.optima.push(optimum(&problem, end, is_best));
+                found.optima.push(optimum(problem, end, is_best));
                 found.optima.len() - 1
             }
         };
-        found.optima[at].starts.push(number);
-        if found.starts[number].end == StartEnd::Optimum {
-            found.starts[number].optimum = Some(at);
+        found.optima[at].starts.push(*number);
+        if found.starts[*number].end == StartEnd::Optimum {
+            found.starts[*number].optimum = Some(at);
         }
     }
     for one in &mut found.optima {
@@ -168,8 +173,15 @@ fn gather(task: &OptimizationTask<'_>, scales: &Scales, ended: &[Ended], found: 
     }
 }
 
+/// Difference of goals within which an end is as good as another one, in the unit of the goal.
+fn as_good(problem: &Scaled<'_>, end: &EndPlace) -> f64 {
+    let goal = problem.goal(&end.at, &end.figures).abs();
+    (AS_GOOD * end.scales.goal.min(goal)).max(ROUNDING * end.scales.goal)
+}
+
 /// Whether a place is an optimum that is known: near it, or on its stretch of equally good places.
-fn is_same(known: &Optimum, at: &[f64], objective: f64, problem: &Scaled<'_>) -> bool {
+fn is_same(known: &Optimum, end: &EndPlace, problem: &Scaled<'_>) -> bool {
+    let at = end.at.as_slice();
     let near = |one: &[f64], within: f64| {
         let mut each = one.iter().zip(at);
         each.all(|(a, b)| (a - b).abs() <= within)
@@ -177,8 +189,7 @@ fn is_same(known: &Optimum, at: &[f64], objective: f64, problem: &Scaled<'_>) ->
     if near(&known.at, DISTINCT) {
         return true;
     }
-    let own = problem.sign() * known.goal / problem.scales.goal;
-    (own - objective).abs() <= AS_GOOD
+    (known.goal - problem.goal(at, &end.figures)).abs() <= as_good(problem, end)
         && known.flat.iter().any(|stretch| {
             let [from, to] = &stretch.ends;
             let along: Vec<f64> = from.iter().zip(to).map(|(a, b)| b - a).collect();

@@ -13,6 +13,9 @@ const ACCURACY: f64 = 1e-13;
 /// Most steps of a start.
 const STEPS: u64 = 200;
 
+/// Most times that a start goes on from where it ended, in the sizes there.
+const ROUNDS: usize = 8;
+
 /// A fall of the goal that counts where it has a kink.
 const FALL: f64 = 1e-11;
 
@@ -41,12 +44,16 @@ pub(super) struct EndPlace {
     pub(super) figures: Vec<f64>,
     pub(super) held: Multipliers,
     pub(super) stationary: bool,
+    /// Slope that counts as none here, scaled.
+    pub(super) limit: f64,
     pub(super) violation: f64,
+    /// The sizes in which all this is stated.
+    pub(super) scales: Scales,
 }
 
 /// Goes from a start to where nothing is better.
 pub(super) fn go(task: &OptimizationTask<'_>, scales: &Scales, start: &[f64]) -> Ended {
-    let problem = Scaled::new(task, scales);
+    let mut problem = Scaled::new(task, scales.clone());
     let mut result = StartResult {
         from: task.values_of(start),
         to: None,
@@ -58,17 +65,33 @@ pub(super) fn go(task: &OptimizationTask<'_>, scales: &Scales, start: &[f64]) ->
         failed: 0,
         progress: Vec::new(),
     };
-    let (at, end) = sqp(&problem, start, ACCURACY, STEPS);
-    let found = match end {
-        SqpEnd::NoValues => None,
-        SqpEnd::Converged | SqpEnd::Stalled => place(&problem, &at, None),
-    };
-    let found = found.map(
-        |found| match found.stationary && found.violation <= FEASIBLE {
-            true => found,
-            false => better_along_kinks(&problem, found),
-        },
-    );
+    let mut found = end_from(&problem, start);
+    // What is small beside all that the ranges hold may be great where a start ends.
+    for _ in 0..ROUNDS {
+        let Some(end) = found.as_ref().filter(|_| !task.control.is_spent()) else {
+            break;
+        };
+        let from = end.at.clone();
+        let Some(local) = problem.scales_at(&from, scales) else {
+            break;
+        };
+        problem = problem.with_scales(local);
+        let again = end_from(&problem, &from).or_else(|| place(&problem, &from, None));
+        let better = again.as_ref().and_then(|end| better_nearby(&problem, end));
+        match better {
+            Some(better) => found = Some(better),
+            None => {
+                let moved = again.as_ref().is_some_and(|end| end.at != from);
+                let settled = again
+                    .as_ref()
+                    .is_some_and(|end| end.stationary && end.violation <= FEASIBLE);
+                found = again;
+                if settled || !moved {
+                    break;
+                }
+            }
+        }
+    }
     // An end from outside keeps the best that was looked at.
     let found = match task.control.is_spent() {
         true => best_so_far(&problem)
@@ -141,10 +164,54 @@ pub(super) fn place(
         at: at.to_vec(),
         violation: values.violation(problem.equalities()),
         stationary: held.residual <= limit,
+        limit,
+        scales: problem.scales.clone(),
         values,
         figures,
         held,
     })
+}
+
+/// Where the methods end from a place.
+fn end_from(problem: &Scaled<'_>, start: &[f64]) -> Option<EndPlace> {
+    let (at, end) = sqp(problem, start, ACCURACY, STEPS);
+    let found = match end {
+        SqpEnd::NoValues => None,
+        SqpEnd::Converged | SqpEnd::Stalled => place(problem, &at, None),
+    };
+    found.map(
+        |found| match found.stationary && found.violation <= FEASIBLE {
+            true => found,
+            false => better_along_kinks(problem, found),
+        },
+    )
+}
+
+/// A place one step of differences away, along one variable, that is better than the slopes say:
+/// without a slope an end may be anything. `None`: there is none.
+fn better_nearby(problem: &Scaled<'_>, end: &EndPlace) -> Option<EndPlace> {
+    if !end.stationary || end.violation > FEASIBLE {
+        return None;
+    }
+    let step = problem.task.step;
+    let explained = 2.0 * end.limit * step + FALL;
+    let each = (0..end.at.len()).flat_map(|variable| [(variable, -step), (variable, step)]);
+    let beside = each.filter_map(|(variable, step)| {
+        let mut at = end.at.clone();
+        at[variable] += step;
+        if !(0.0..=1.0).contains(&at[variable]) {
+            return None;
+        }
+        let values = problem.values(&at)?;
+        let feasible = values.violation(problem.equalities()) <= FEASIBLE;
+        let better = values.objective < end.values.objective - explained;
+        (feasible && better).then_some((values.objective, at))
+    });
+    let (_, at) = beside.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let mut found = place(problem, &at, None)?;
+    // It is where a start goes on, and no end.
+    found.stationary = false;
+    Some(found)
 }
 
 /// The best place that was looked at; nothing is known of what holds it.
@@ -162,6 +229,8 @@ fn best_so_far(problem: &Scaled<'_>) -> Option<EndPlace> {
         figures,
         held,
         stationary: false,
+        limit: STATIONARY,
+        scales: problem.scales.clone(),
     })
 }
 

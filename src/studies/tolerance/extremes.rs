@@ -27,6 +27,17 @@ struct End {
     value: Option<f64>,
     /// False: no move improves it.
     moves: bool,
+    /// Runs about it without a result.
+    failed: usize,
+}
+
+/// The least and the greatest of a result.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Extremes {
+    /// Least and greatest; `None`: no run has one.
+    pub(super) ends: [Option<f64>; 2],
+    /// Runs that have no result and that it may have lain at.
+    pub(super) failed: usize,
 }
 
 impl End {
@@ -47,6 +58,7 @@ impl End {
 
     /// Moves to the best of places with their results.
     fn take_best(&mut self, found: Vec<(Vec<f64>, Option<f64>)>, middle: f64) {
+        self.failed += found.iter().filter(|(_, value)| value.is_none()).count();
         let known = found
             .into_iter()
             .filter_map(|(places, value)| Some((places, value?)));
@@ -69,7 +81,7 @@ pub(super) fn extremes(
     task: &ToleranceTask,
     figures: &[FigureTolerance],
     evaluate: &Evaluate<'_>,
-) -> Option<Vec<[Option<f64>; 2]>> {
+) -> Option<Vec<Extremes>> {
     let mut ends: Vec<End> = figures
         .iter()
         .enumerate()
@@ -82,6 +94,7 @@ pub(super) fn extremes(
                 places,
                 value: None,
                 moves: true,
+                failed: 0,
             };
             [-1.0, 1.0]
                 .into_iter()
@@ -110,9 +123,11 @@ pub(super) fn extremes(
             end.take_best(own.collect(), middle);
         }
     }
-    let mut all = vec![[None; 2]; figures.len()];
+    let mut all = vec![Extremes::default(); figures.len()];
     for end in &ends {
-        all[end.figure][usize::from(end.sign > 0.0)] = end.value;
+        let own = &mut all[end.figure];
+        own.ends[usize::from(end.sign > 0.0)] = end.value;
+        own.failed += end.failed;
     }
     Some(all)
 }

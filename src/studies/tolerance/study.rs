@@ -14,7 +14,7 @@ use crate::studies::prepared::Verdict;
 use std::collections::BTreeMap;
 
 /// Runs of one batch of samples: between two of them a study can be ended with what it has.
-const BATCH: usize = 2048;
+const BATCH: usize = 64;
 
 /// Answers a question.
 ///
@@ -33,12 +33,24 @@ pub fn tolerances(task: &ToleranceTask, evaluate: &Evaluate<'_>) -> Result<Toler
     let mut figures: Vec<FigureTolerance> = (0..task.figures.len())
         .map(|figure| figure_stack(task, &rows, figure))
         .collect();
-    let worst = extremes(task, &figures, evaluate).ok_or_else(ended)?;
+    let Some(worst) = extremes(task, &figures, evaluate) else {
+        return Ok(summary(task, figures, &[], false));
+    };
+    let mut remarks = Vec::new();
     for (figure, worst) in figures.iter_mut().zip(worst) {
-        figure.extremes = worst;
+        figure.extremes = worst.ends;
+        if worst.failed > 0 {
+            remarks.push(format!(
+                "the worst case by runs of {} leaves out what has no result with numbers at their \
+                 limits (runs: {})",
+                figure.figure, worst.failed
+            ));
+        }
     }
     let (points, complete) = sampled(task, evaluate);
-    Ok(summary(task, figures, &points, complete))
+    let mut found = summary(task, figures, &points, complete);
+    found.remarks.splice(0..0, remarks);
+    Ok(found)
 }
 
 /// The stack of a result from the runs of [`ToleranceTask::stack_rows`].
@@ -133,6 +145,7 @@ fn summary(
     complete: bool,
 ) -> Tolerances {
     let samples: Vec<&Outcome> = points.iter().flat_map(|point| &point.runs[..2]).collect();
+    let mut remarks = Vec::new();
     // (An odd number of samples leaves the last one out.)
     let asked = if complete {
         task.samples
@@ -147,6 +160,12 @@ fn summary(
             .collect();
         figure.spread = Spread::of(&figure.values);
         let own = of_points(points, number);
+        if own.is_none() && points.len() > 1 && figure.values.len() < 2 * points.len() {
+            remarks.push(format!(
+                "{} has no indices, since samples failed",
+                figure.figure
+            ));
+        }
         let own = own.map_or_else(Vec::new, |own| own.into_iter().map(Some).collect());
         for (effect, own) in figure.effects.iter_mut().zip(own) {
             effect.indices = own;
@@ -189,17 +208,18 @@ fn summary(
         asked: task.samples,
         seed: task.seed,
         complete,
-        remarks: Vec::new(),
+        remarks,
     }
 }
 
-/// Indices of a result, from the points of which all runs have it.
+/// Indices of a result; `None`: a run of a point has no result. (Points chosen by that are no
+/// longer independent.)
 fn of_points(points: &[SampledPoint], number: usize) -> Option<Vec<Indices>> {
-    let own = points.iter().filter_map(|point| {
+    let own = points.iter().map(|point| {
         let values = point.runs.iter().map(|one| one.values[number]);
         values.collect::<Option<Vec<f64>>>()
     });
-    indices(&own.collect::<Vec<_>>())
+    indices(&own.collect::<Option<Vec<_>>>()?)
 }
 
 /// The share of a normal distribution that meets a limit, from the stack of first order.

@@ -173,12 +173,12 @@ fn pieces(known: &[Tangent], at: &[f64], values: &Values) -> Vec<SmoothPiece> {
     };
     for one in known {
         let here = one.at(at);
-        if values.objective - here.objective <= TOUCHES {
+        if (values.objective - here.objective).abs() <= TOUCHES {
             add(None, &one.slopes.objective);
         }
         let conditions = here.conditions.iter().zip(&values.conditions);
         for (own, (tangent, value)) in conditions.enumerate() {
-            if value - tangent <= TOUCHES {
+            if (value - tangent).abs() <= TOUCHES {
                 add(Some(own), &one.slopes.conditions[own]);
             }
         }

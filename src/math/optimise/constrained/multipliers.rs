@@ -7,6 +7,9 @@ use nalgebra::{DMatrix, DVector};
 /// Distance from 0 or 1 within which a variable counts as at its bound.
 const AT_BOUND: f64 = 1e-7;
 
+/// Size below which the slope of a condition is none.
+const FLAT: f64 = 1e-9;
+
 /// Weight of the sum of the shares of the function in the equations.
 const WEIGHT: f64 = 1e3;
 
@@ -88,6 +91,11 @@ pub(crate) fn multipliers(
     let scale = of_function
         .map(|(_, slope)| dot(slope, slope).sqrt())
         .fold(0.0, f64::max);
+    // A slope that is rounding holds nothing.
+    columns.retain(|(owner, slope)| match owner {
+        Owner::Objective | Owner::Bound(..) => true,
+        Owner::Condition(..) => dot(slope, slope).sqrt() > FLAT,
+    });
     let mut found = Multipliers {
         conditions: vec![0.0; active.len()],
         bounds: vec![0.0; count],
