@@ -59,9 +59,20 @@ fn goal_words(answer: &Optimization) -> String {
     }
 }
 
+/// What is to be greatest or least: "least rate of the spring", "least value of a result".
+fn extreme_words(answer: &Optimization) -> String {
+    let value = if answer.goal.is_parameter {
+        ""
+    } else {
+        "value of "
+    };
+    let aim = answer.goal.aim.words();
+    format!("{aim} {value}{}", goal_words(answer))
+}
+
 /// What was asked, in a few words.
 fn sought(answer: &Optimization) -> String {
-    let goal = format!("the {} {}", answer.goal.aim.words(), goal_words(answer));
+    let goal = format!("the {}", extreme_words(answer));
     let subject = answer.conditions.iter();
     let subject = subject.map(|one| condition_words(&one.text, &one.figure));
     match subject.collect::<Vec<_>>().join(", ").as_str() {
@@ -108,13 +119,10 @@ fn verdict(answer: &Optimization) -> (Sort, String, String) {
         })
         .collect();
     let goal = goal_value(answer, best.goal, DIGITS);
-    let goal_words = goal_words(answer);
+    let extreme = extreme_words(answer);
     let mut headline = match answer.complete {
-        true => format!("The {} {goal_words} is {goal}", answer.goal.aim.words()),
-        false => format!(
-            "The {} {goal_words} so far is {goal}",
-            answer.goal.aim.words()
-        ),
+        true => format!("The {extreme} is {goal}"),
+        false => format!("The {extreme} so far is {goal}"),
     };
     if !at.is_empty() {
         headline = format!("{headline}, at {}", at.join(", "));
