@@ -60,6 +60,15 @@ impl<'a> Budget<'a> {
         }
     }
 
+    /// This budget; it also ends once `flag` is raised.
+    #[must_use]
+    pub fn or_interrupted_by(self, flag: &'a AtomicBool) -> Self {
+        Self {
+            interrupt: Some(flag),
+            ..self
+        }
+    }
+
     /// This budget; `listener` is told whenever somebody asks whether it was interrupted.
     #[must_use]
     pub fn with_listener(self, listener: &'a dyn Listener) -> Self {

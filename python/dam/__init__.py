@@ -7,7 +7,7 @@ it and answers.
     run = dam.load("rocker.json").run()
     print(run.figures["rocker.delta_abs"])
 
-`Scene` describes, and answers `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`,
+`Scene` describes, and answers `show`, `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`,
 `forces`, `steady`, `linearise`, `response`, `orders`, `cam`, `law`, `compare_laws`, `find`,
 `optimize`, `gradient`, `tolerance`, `verify`, `reduce`; `law` and `stroke` ask of laws of motion by themselves.
 `dam.kinds` has everything that a scene holds as classes, `dam.own` takes Python functions into it.
@@ -22,7 +22,7 @@ from dam._dam import VERSION as __version__
 if TYPE_CHECKING:
     from dam import distributed, kinds, own
     from dam.answers import Answer, Figure, Figures, Map, Record, Run, Verdict
-    from dam.errors import DamError, Fault, InternalError, SceneError
+    from dam.errors import DamError, Fault, InternalError, SceneError, TimeLimitError
     from dam.prepared import Point, Points, PreparedScene
     from dam.scene import Scene, law, load, loads, schema, stroke
 
@@ -41,6 +41,7 @@ __all__ = [
     "Run",
     "Scene",
     "SceneError",
+    "TimeLimitError",
     "Verdict",
     "__version__",
     "distributed",
@@ -55,7 +56,7 @@ __all__ = [
 
 _MODULES = {
     "answers": ("Answer", "Figure", "Figures", "Map", "Record", "Run", "Verdict"),
-    "errors": ("DamError", "Fault", "InternalError", "SceneError"),
+    "errors": ("DamError", "Fault", "InternalError", "SceneError", "TimeLimitError"),
     "prepared": ("Point", "Points", "PreparedScene"),
     "scene": ("Scene", "law", "load", "loads", "schema", "stroke"),
 }

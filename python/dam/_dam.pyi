@@ -1,4 +1,4 @@
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike
 from typing import Final, final
 
@@ -25,6 +25,7 @@ __all__ = [
 VERSION: Final[str]
 
 _Progress = Callable[[float], object]
+_Terms = tuple[_Progress | None, float | None]
 _Figure = tuple[str, float, str, float | None, str]
 
 def program(arguments: Sequence[str]) -> int: ...
@@ -123,7 +124,7 @@ class Prepared:
         self,
         rows: Sequence[Sequence[float]],
         threads: int | None,
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> Points: ...
 
 @final
@@ -142,10 +143,13 @@ class Scene:
     def settings(self) -> list[str]: ...
     def identity(self) -> tuple[str, str]: ...
     def check(self) -> list[Fault]: ...
-    def run(self, progress: _Progress | None = None) -> tuple[Answer, bool]: ...
+    def show(self, view: str, form: str) -> str: ...
+    def shown(self) -> str: ...
+    def written(self) -> str: ...
+    def run(self, spread: bool, terms: _Terms) -> tuple[Answer, bool]: ...
     def least_time(self, repeats: int) -> float: ...
     def compare(
-        self, address: str, values: Sequence[Value], progress: _Progress | None = None
+        self, address: str, values: Sequence[Value], terms: _Terms
     ) -> Answer: ...
     def prepare(
         self, parameters: Sequence[str], figures: Sequence[str], digits: int | None
@@ -159,7 +163,7 @@ class Scene:
         digits: int,
         threads: int | None,
         panels: Sequence[str],
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> tuple[
         Answer,
         tuple[int, int],
@@ -191,30 +195,26 @@ class Scene:
         point_limit: float,
         models: bool,
         x: str | None,
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> Answer: ...
-    def kinematics(
-        self,
-        object: str | None,
-        over: str | None,
-        from_to: tuple[float, float] | None,
-        positions: int,
-        speed: float | None,
-        acceleration: float | None,
-    ) -> Answer: ...
+    def kinematics(self, course: Mapping[str, object]) -> Answer: ...
     def forces(
         self,
-        object: str | None,
-        over: str | None,
-        from_to: tuple[float, float] | None,
-        positions: int,
-        speed: float | None,
-        acceleration: float | None,
+        course: Mapping[str, object],
+        load: str | None,
+        load_positive: bool,
+        frictionless: bool,
+        direction: float | None,
     ) -> Answer: ...
-    def steady(self, progress: _Progress | None = None) -> Answer: ...
-    def linearise(self, progress: _Progress | None = None) -> Answer: ...
+    def steady(self, terms: _Terms) -> Answer: ...
+    def linearise(self, terms: _Terms) -> Answer: ...
     def response(
-        self, frequencies: list[float], inputs: list[str], outputs: list[str], accuracy: float
+        self,
+        frequencies: list[float],
+        inputs: list[str],
+        outputs: list[str],
+        accuracy: float,
+        terms: _Terms,
     ) -> Answer: ...
     def orders(
         self,
@@ -222,7 +222,7 @@ class Scene:
         highest: int,
         accuracy: float | None,
         points: int,
-        progress: _Progress | None = None,
+        terms: _Terms,
     ) -> Answer: ...
     def cam(
         self,
@@ -237,10 +237,11 @@ class Scene:
         tolerance: str | None,
         cutter: str | None,
         lift_off: bool,
+        terms: _Terms,
     ) -> tuple[Answer, str, str]: ...
     def law(self, object: str, samples: int) -> Answer: ...
     def compare_laws(
-        self, at: str, laws: list[str], by: str, lift_off: bool, progress: _Progress | None
+        self, at: str, laws: list[str], by: str, lift_off: bool, terms: _Terms
     ) -> Answer: ...
     def find(
         self,
@@ -249,7 +250,7 @@ class Scene:
         maximize: str | None,
         minimize: str | None,
         threads: int | None,
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> tuple[Answer, bool]: ...
     def optimize(
         self,
@@ -259,14 +260,14 @@ class Scene:
         minimize: str | None,
         starts: int,
         threads: int | None,
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> tuple[Answer, bool, str | None]: ...
     def gradient(
         self,
         by: list[str],
         figures: list[str],
         check: bool | None,
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> tuple[Answer, bool]: ...
     def tolerance(
         self,
@@ -276,7 +277,7 @@ class Scene:
         samples: int,
         seed: int,
         threads: int | None,
-        progress: _Progress | None,
+        terms: _Terms,
     ) -> tuple[Answer, bool]: ...
-    def verify(self, progress: _Progress | None = None) -> tuple[Answer, bool, str]: ...
-    def reduce(self, progress: _Progress | None = None) -> tuple[Answer, Scene, bool]: ...
+    def verify(self, terms: _Terms) -> tuple[Answer, bool, str]: ...
+    def reduce(self, terms: _Terms) -> tuple[Answer, Scene, bool]: ...

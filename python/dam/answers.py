@@ -21,6 +21,7 @@ __all__ = [
     "Cam",
     "Comparison",
     "Figure",
+    "FigureSpread",
     "Figures",
     "Forces",
     "FoundValue",
@@ -409,6 +410,30 @@ class Run(Answer):
         """False when the numbers themselves are in doubt. A mechanism that lifts off has
         perfectly good figures."""
         return self._trusted
+
+    @property
+    def spread(self) -> dict[str, FigureSpread] | None:
+        """How far each figure moves under changes that should not matter, by its address;
+        `None`: `run(spread=True)` was not asked."""
+        spread = self.document.get("spread")
+        if not isinstance(spread, dict):
+            return None
+        rows = cast("list[dict[str, Any]]", spread["figures"])
+        return {
+            row["figure"]: FigureSpread(row["by_loads"], row["by_tolerance"], row["determined"])
+            for row in rows
+        }
+
+
+class FigureSpread(NamedTuple):
+    """How far a figure moves when the run is repeated with tiny changes."""
+
+    by_loads: float | None
+    """When loads and gaps change by one part in 10 billion; `None`: the figure is gone."""
+    by_tolerance: float | None
+    """When the tolerance is halved."""
+    determined: bool
+    """True when neither moves it by more than 1e-7 of its scale."""
 
 
 class Comparison(Answer):

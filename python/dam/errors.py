@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
-__all__ = ["DamError", "Fault", "InternalError", "SceneError"]
+__all__ = ["DamError", "Fault", "InternalError", "SceneError", "TimeLimitError"]
 
 
 class Fault(NamedTuple):
@@ -50,6 +50,10 @@ class SceneError(DamError, ValueError):
 
     def __reduce__(self) -> tuple[type[SceneError], tuple[str, tuple[Fault, ...]]]:
         return (type(self), (str(self), self.faults))
+
+
+class TimeLimitError(DamError, TimeoutError):
+    """There is no answer within the time limit."""
 
 
 class InternalError(DamError, RuntimeError):

@@ -89,14 +89,15 @@ class PreparedScene:
         *,
         threads: int | None = None,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> Points:
         """The points at rows of values, a column a parameter; of a single parameter the values
         may stand in a plain list. On all threads, or on so many; the results do not depend
         on their number."""
-        from dam.scene import _told
+        from dam.scene import _terms
 
         rows = _rows(points)
-        return Points(self, rows, self._core.table(rows, threads, _told(progress)))
+        return Points(self, rows, self._core.table(rows, threads, _terms(progress, time_limit)))
 
     def __reduce__(self) -> tuple[Callable[..., PreparedScene], tuple[object, ...]]:
         task = (self._scene, self.parameters, self.figures, self._check, self._digits)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, Protocol, Union
 
 from dam import _dam, answers
-from dam._tree import Quantity, Value
+from dam._tree import Own, Quantity, Tree, Value
+from dam.errors import SceneError
 
 if TYPE_CHECKING:
     from dam.errors import Fault
@@ -70,6 +71,12 @@ def _told(progress: Progress | None) -> Callable[[float], object] | None:
     return tell
 
 
+def _terms(
+    progress: Progress | None, time_limit: float | None
+) -> tuple[Callable[[float], object] | None, float | None]:
+    return (_told(progress), time_limit)
+
+
 class Scene:
     """A mechanism, and how it is run. A scene does not change: `set` gives another one.
 
@@ -87,7 +94,9 @@ class Scene:
         Remarks for people.
 
     What is wrong with it shows when it is asked something, all at once, as `dam.SceneError`;
-    or see `check`.
+    or see `check`. Questions that may take long have a `progress` and a `time_limit` (s of
+    wall-clock time): a run that has not ended by then says so in its verdict and is as far as it
+    came; other questions raise `dam.TimeLimitError`.
     """
 
     __slots__ = ("_core", "_source")
@@ -125,8 +134,9 @@ class Scene:
 
     @property
     def json(self) -> str:
-        """The scene's text; what was set is not in it."""
-        return self._core.json
+        """The scene's text. With what was `set`, objects of the catalogue and tables of files
+        are written into it; what is wrong with the scene is raised then."""
+        return self._core.written() if self.settings else self._core.json
 
     @property
     def settings(self) -> list[str]:
@@ -143,6 +153,12 @@ class Scene:
         """SHA-256 of the canonical scene, settings included."""
         return self._core.identity()[1]
 
+    def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Writes the scene as JSON, as `json` has it. `force`: also over a file that is there."""
+        text = self.json
+        with open(path, "w" if force else "x", encoding="utf-8") as file:
+            file.write(text if text.endswith("\n") else text + "\n")
+
     def set(self, address: str, value: Value) -> Scene:
         """Another scene, in which the property at an address has this value:
         `scene.set("rocker.masses", 10)`. Later settings win; they also reach what an object
@@ -153,16 +169,47 @@ class Scene:
         """What is wrong and what should be known, each with its place; empty: nothing."""
         return self._core.check()
 
-    def run(self, *, progress: Progress | None = None) -> answers.Run:
-        """Runs the scene. A run that stops early raises nothing: see `verdict`."""
-        return answers.Run(*self._core.run(_told(progress)))
+    def show(
+        self,
+        view: Literal["all", "graph", "model", "equations"] = "all",
+        *,
+        form: Literal["text", "dot", "svg", "latex"] = "text",
+    ) -> str:
+        """The object graph, the dynamic model with its natural frequencies, the equations of
+        motion: in words, the graph also as Graphviz or a drawing, the equations as LaTeX."""
+        return self._core.show(view, form)
+
+    def show_document(self) -> dict[str, answers.Json]:
+        """The same as the document of `dam show --json`: inertias, stiffnesses, natural
+        frequencies, structure of linkages, equations."""
+        import json
+
+        document: dict[str, answers.Json] = json.loads(self._core.shown())
+        return document
+
+    def run(
+        self,
+        *,
+        spread: bool = False,
+        progress: Progress | None = None,
+        time_limit: float | None = None,
+    ) -> answers.Run:
+        """Runs the scene. A run that stops early raises nothing: see `verdict`. `spread`: it is
+        run twice more, with loads and gaps changed by one part in 10 billion and with half the
+        tolerance, and `spread` of the answer tells how far each figure moves."""
+        return answers.Run(*self._core.run(spread, _terms(progress, time_limit)))
 
     def compare(
-        self, address: str, values: Sequence[Value], *, progress: Progress | None = None
+        self,
+        address: str,
+        values: Sequence[Value],
+        *,
+        progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Comparison:
         """Runs the scene for several values of a parameter, and compares the figures with
         those of the last: `compare("rocker.masses", [1, 2, 10])`."""
-        found = self._core.compare(address, list(values), _told(progress))
+        found = self._core.compare(address, list(values), _terms(progress, time_limit))
         return answers.Comparison(found)
 
     def prepare(
@@ -209,6 +256,7 @@ class Scene:
         threads: int | None = None,
         panels: str | Sequence[str] = (),
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Map:
         """A figure over one or two parameters: where does the mechanism work?
 
@@ -232,8 +280,8 @@ class Scene:
         along = _axis(x)
         up = None if y is None else _axis(y)
         texts = [panels] if isinstance(panels, str) else list(panels)
-        told = _told(progress)
-        found = self._core.map(along, up, figure, check, digits, threads, texts, told)
+        terms = _terms(progress, time_limit)
+        found = self._core.map(along, up, figure, check, digits, threads, texts, terms)
         answer, shape, figure_of, hash, verdicts, labels = found
         return answers.Map(answer, (along, up), shape, figure_of, hash, verdicts, labels)
 
@@ -249,6 +297,7 @@ class Scene:
         models: bool = False,
         x: Axis | None = None,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Methods:
         """Speed against accuracy of the methods of integration, and where they fail.
 
@@ -272,9 +321,9 @@ class Scene:
             which each is best.
         """
         along = None if x is None else _axis(x)
-        told = _told(progress)
+        terms = _terms(progress, time_limit)
         found = self._core.methods(
-            accuracy, methods, tolerances, steps, repeats, point_limit, models, along, told
+            accuracy, methods, tolerances, steps, repeats, point_limit, models, along, terms
         )
         return answers.Methods(found)
 
@@ -285,9 +334,10 @@ class Scene:
         turn: bool = False,
         range: tuple[float, float] | None = None,
         time: float | None = None,
+        inputs: Mapping[str, float | tuple[float, float] | None] | None = None,
         positions: int = 360,
-        speed: float | None = None,
-        acceleration: float | None = None,
+        speed: float | Mapping[str, float] | None = None,
+        acceleration: float | Mapping[str, float] | None = None,
     ) -> answers.Kinematics:
         """How a linkage moves: positions, transfer functions, speeds, accelerations.
 
@@ -298,14 +348,18 @@ class Scene:
         turn, range, time
             Over what: a period of the input, a range of its coordinate (rad or m), or time
             (s) under the motion of the scene's drive. Left out: what suits it.
+        inputs
+            Of a linkage of several inputs: where each goes, from and to (rad or m), or where it
+            is held; `None`: a turn, or as far as it can. Those that are not named are held where
+            the scene starts.
         positions
             Number of intervals between rows.
         speed, acceleration
-            Of the input over a turn or range (rad/s or m/s, and by s again).
+            Of the input over a turn or range (rad/s or m/s, and by s again); of several inputs
+            for each by its name.
         """
-        over = _over(turn, range, time)
-        found = self._core.kinematics(object, *over, positions, speed, acceleration)
-        return answers.Kinematics(found)
+        course = _course(object, (turn, range, time), inputs, positions, speed, acceleration)
+        return answers.Kinematics(self._core.kinematics(course))
 
     def forces(
         self,
@@ -314,26 +368,56 @@ class Scene:
         turn: bool = False,
         range: tuple[float, float] | None = None,
         time: float | None = None,
+        inputs: Mapping[str, float | tuple[float, float] | None] | None = None,
         positions: int = 360,
-        speed: float | None = None,
-        acceleration: float | None = None,
+        speed: float | Mapping[str, float] | None = None,
+        acceleration: float | Mapping[str, float] | None = None,
+        load: str | None = None,
+        convention: Literal["paper", "load_positive"] = "paper",
+        frictionless: bool = False,
+        direction: Literal["forwards", "backwards"] | None = None,
     ) -> answers.Forces:
         """Which forces the pairs of a linkage carry, with friction, and which force drives
-        it. The parameters are those of `kinematics`."""
-        over = _over(turn, range, time)
-        found = self._core.forces(object, *over, positions, speed, acceleration)
+        it. The parameters are those of `kinematics`, and:
+
+        Parameters
+        ----------
+        load
+            The output whose load the dynamic transmission ratio refers to, and by name the
+            forces that are this load: `"ram"`, `"ram=cutting,drag"`; default the only output
+            with a force on its link.
+        convention
+            Sign of the dynamic transmission ratio: without masses and friction −|i| or +|i|.
+        frictionless
+            Whether all friction is left out.
+        direction
+            Direction of sliding where the input rests; without it friction at rest is not
+            determined.
+        """
+        course = _course(object, (turn, range, time), inputs, positions, speed, acceleration)
+        signs = {None: None, "forwards": 1.0, "backwards": -1.0}
+        if direction not in signs:
+            raise ValueError(f"direction: {direction!r} is neither forwards nor backwards")
+        if convention not in ("paper", "load_positive"):
+            raise ValueError(f"convention: {convention!r} is neither paper nor load_positive")
+        positive = convention == "load_positive"
+        found = self._core.forces(course, load, positive, frictionless, signs[direction])
         return answers.Forces(found)
 
-    def steady(self, *, progress: Progress | None = None) -> answers.Steady:
+    def steady(
+        self, *, progress: Progress | None = None, time_limit: float | None = None
+    ) -> answers.Steady:
         """The steady motion that the scene's `steady` block asks for."""
-        return answers.Steady(self._core.steady(_told(progress)))
+        return answers.Steady(self._core.steady(_terms(progress, time_limit)))
 
-    def linearise(self, *, progress: Progress | None = None) -> answers.Linearisation:
+    def linearise(
+        self, *, progress: Progress | None = None, time_limit: float | None = None
+    ) -> answers.Linearisation:
         """The linear equations of elastic objects behind prescribed drives, or of a machine in the
         steady turning of its motor: natural modes, and A, B, C, D with names.
 
         `scene.linearise().to_control()` is a state space of python-control."""
-        return answers.Linearisation(self._core.linearise(_told(progress)))
+        return answers.Linearisation(self._core.linearise(_terms(progress, time_limit)))
 
     def response(
         self,
@@ -342,6 +426,7 @@ class Scene:
         inputs: str | Sequence[str] = (),
         outputs: str | Sequence[str] = (),
         accuracy: float = 0.01,
+        time_limit: float | None = None,
     ) -> answers.FrequencyResponse:
         """Gain and phase over the frequency.
 
@@ -350,7 +435,11 @@ class Scene:
         all. `accuracy`: relative error of the model up to which a response counts as right."""
         names = [[one] if isinstance(one, str) else list(one) for one in (inputs, outputs)]
         found = self._core.response(
-            [float(one) for one in frequencies], names[0], names[1], accuracy
+            [float(one) for one in frequencies],
+            names[0],
+            names[1],
+            accuracy,
+            _terms(None, time_limit),
         )
         return answers.FrequencyResponse(found)
 
@@ -362,13 +451,14 @@ class Scene:
         accuracy: float | None = None,
         points: int = 60,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Orders:
         """Orders of the law and their resonances over the speed of the drive.
 
         `speeds`: from and to, in rad/s; default up to twice the speed of the scene. `highest`:
         the highest order. `accuracy`: amplitude of a deviation (rad or m) from which on a
         resonance counts. `points`: speeds at which the greatest deviation is found."""
-        found = self._core.orders(speeds, highest, accuracy, points, _told(progress))
+        found = self._core.orders(speeds, highest, accuracy, points, _terms(progress, time_limit))
         return answers.Orders(found)
 
     def cam(
@@ -384,6 +474,7 @@ class Scene:
         tolerance: Quantity | None = None,
         cutter: Quantity | None = None,
         lift_off: bool = False,
+        time_limit: float | None = None,
     ) -> answers.Cam:
         """The cam of an object: profile, checks, sizes, the force that keeps the follower on
         it.
@@ -425,6 +516,7 @@ class Scene:
             _text(tolerance),
             _text(cutter),
             lift_off,
+            _terms(None, time_limit),
         )
         return answers.Cam(*found)
 
@@ -443,12 +535,13 @@ class Scene:
         ] = "contact_force",
         lift_off: bool = False,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.LawComparison:
         """Laws of motion at a place of the scene (`"valve.position.cam.law"`), ranked by what
         the mechanism makes of them: names, `"scca:B,D"` or JSON as in a scene, all named ones
         if none. `lift_off`: also the speed of the drive (rad/s) at which the contact separates."""
         wanted = lift_off or by == "lift_off"
-        found = self._core.compare_laws(at, list(laws), by, wanted, _told(progress))
+        found = self._core.compare_laws(at, list(laws), by, wanted, _terms(progress, time_limit))
         return answers.LawComparison(found)
 
     def find(
@@ -460,6 +553,7 @@ class Scene:
         minimize: str | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.FoundValue:
         """The value of a parameter that meets conditions best.
 
@@ -472,7 +566,7 @@ class Scene:
             raise TypeError("one of maximize and minimize is given")
         conditions = [subject] if isinstance(subject, str) else list(subject)
         found, answered = self._core.find(
-            vary, conditions, maximize, minimize, threads, _told(progress)
+            vary, conditions, maximize, minimize, threads, _terms(progress, time_limit)
         )
         return answers.FoundValue(found, answered)
 
@@ -486,6 +580,7 @@ class Scene:
         starts: int = 8,
         threads: int | None = None,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Optimum:
         """The values of several variables that are best under conditions.
 
@@ -501,7 +596,7 @@ class Scene:
         variables = [vary] if isinstance(vary, str) else list(vary)
         conditions = [subject] if isinstance(subject, str) else list(subject)
         found, answered, text = self._core.optimize(
-            variables, conditions, maximize, minimize, starts, threads, _told(progress)
+            variables, conditions, maximize, minimize, starts, threads, _terms(progress, time_limit)
         )
         return answers.Optimum(found, answered, text)
 
@@ -512,6 +607,7 @@ class Scene:
         *,
         check: bool | None = None,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Gradient:
         """Derivatives of results by numbers of the scene, carried through all contacts.
 
@@ -520,7 +616,7 @@ class Scene:
         compared with differences of runs; up to five numbers and a thousand events if not said."""
         paths = [by] if isinstance(by, str) else list(by)
         named = [figures] if isinstance(figures, str) else list(figures)
-        found = self._core.gradient(paths, named, check, _told(progress))
+        found = self._core.gradient(paths, named, check, _terms(progress, time_limit))
         return answers.Gradient(*found)
 
     def tolerance(
@@ -533,6 +629,7 @@ class Scene:
         seed: int = 1,
         threads: int | None = None,
         progress: Progress | None = None,
+        time_limit: float | None = None,
     ) -> answers.Tolerances:
         """What tolerances of dimensions make of results.
 
@@ -549,20 +646,42 @@ class Scene:
         named = [figures] if isinstance(figures, str) else list(figures)
         conditions = [limits] if isinstance(limits, str) else list(limits)
         found = self._core.tolerance(
-            written, named, conditions, samples, seed, threads, _told(progress)
+            written, named, conditions, samples, seed, threads, _terms(progress, time_limit)
         )
         return answers.Tolerances(*found)
 
-    def verify(self, *, progress: Progress | None = None) -> answers.Requirements:
+    def verify(
+        self, *, progress: Progress | None = None, time_limit: float | None = None
+    ) -> answers.Requirements:
         """Everything that the scene expects (`expect`), judged by every study that it takes."""
-        return answers.Requirements(*self._core.verify(_told(progress)))
+        return answers.Requirements(*self._core.verify(_terms(progress, time_limit)))
 
-    def reduce(self, *, progress: Progress | None = None) -> answers.Reduction:
+    def reduce(
+        self, *, progress: Progress | None = None, time_limit: float | None = None
+    ) -> answers.Reduction:
         """The smallest scene that gives figures within their accuracy: those of
         `run.accuracy`, else those that the scene expects."""
-        found, core, holds = self._core.reduce(_told(progress))
+        found, core, holds = self._core.reduce(_terms(progress, time_limit))
         left = Scene._of(core, (core.json, "reduced scene", None))
         return answers.Reduction(found, left, holds)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same mechanism, run the same way: texts may differ. Functions of
+        one's own are equal if they are the same."""
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self is other or self._known() == other._known()
+
+    def __hash__(self) -> int:
+        return hash(self._known()[0])
+
+    def _known(self) -> tuple[str, list[Own]]:
+        """What makes it the scene that it is: its hash, else its text; its own functions."""
+        try:
+            text = self.hash
+        except SceneError:
+            text = "\n".join([self._core.json, *self.settings])
+        return text, list(_owns(self._source)) if isinstance(self._source, dict) else []
 
     def __reduce__(
         self,
@@ -585,16 +704,57 @@ def _restored(
     return Scene._of(core.set_all(list(settings)) if settings else core, source)
 
 
-def _over(
-    turn: bool, range: tuple[float, float] | None, time: float | None
-) -> tuple[str | None, tuple[float, float] | None]:
+def _owns(value: object) -> Iterator[Own]:
+    """The functions of one's own in a tree, in its order."""
+    if isinstance(value, Own):
+        yield value
+    elif isinstance(value, Tree):
+        yield from _owns(value._tree_())
+    elif isinstance(value, Mapping):
+        for one in value.values():
+            yield from _owns(one)
+    elif isinstance(value, Sequence) and not isinstance(value, str):
+        for one in value:
+            yield from _owns(one)
+
+
+def _course(
+    object: str | None,
+    over: tuple[bool, tuple[float, float] | None, float | None],
+    inputs: Mapping[str, float | tuple[float, float] | None] | None,
+    positions: int,
+    speed: float | Mapping[str, float] | None,
+    acceleration: float | Mapping[str, float] | None,
+) -> dict[str, object]:
+    """What a linkage is asked, as the core takes it."""
+    turn, range, time = over
     if (turn is not False) + (range is not None) + (time is not None) > 1:
         raise TypeError("one of turn, range and time is given")
-    if range is not None:
-        return ("range", range)
-    if time is not None:
-        return ("time", (0.0, time))
-    return ("turn", None) if turn else (None, None)
+    if inputs is not None and (turn is not False or range is not None or time is not None):
+        raise TypeError("inputs say where they go: turn, range and time are left out")
+    of_time = None if time is None else (0.0, time)
+    rates = [dict(one) if isinstance(one, Mapping) else {} for one in (speed, acceleration)]
+    ways: dict[str, list[float] | None] = {
+        name: None if inputs is None or name not in inputs else _way(inputs[name])
+        for name in dict.fromkeys([*(inputs or {}), *rates[0], *rates[1]])
+    }
+    return {
+        "object": object,
+        "over": "turn" if turn else "range" if range is not None else "time" if of_time else None,
+        "from_to": range if range is not None else of_time,
+        "positions": positions,
+        "speed": None if isinstance(speed, Mapping) else speed,
+        "acceleration": None if isinstance(acceleration, Mapping) else acceleration,
+        "inputs": [
+            (name, way, rates[0].get(name), rates[1].get(name)) for name, way in ways.items()
+        ],
+    }
+
+
+def _way(way: float | tuple[float, float] | None) -> list[float]:
+    if way is None:
+        return []
+    return list(way) if isinstance(way, tuple) else [way]
 
 
 def _text(value: Quantity | None) -> str | None:

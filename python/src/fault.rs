@@ -17,10 +17,20 @@ pub(crate) fn scene_error(py: Python<'_>, error: &Error) -> PyErr {
 
 /// A fault of `dam` itself: `dam.InternalError`.
 pub(crate) fn internal(py: Python<'_>, what: &str) -> PyErr {
-    let made = || {
-        let class = errors(py)?.getattr("InternalError")?;
-        class.call1((format!("this is a fault of dam: {what}"),))
-    };
+    of_class(
+        py,
+        "InternalError",
+        format!("this is a fault of dam: {what}"),
+    )
+}
+
+/// There is no answer in time: `dam.TimeLimitError`.
+pub(crate) fn time_is_over(py: Python<'_>, what: &str) -> PyErr {
+    of_class(py, "TimeLimitError", what.to_owned())
+}
+
+fn of_class(py: Python<'_>, name: &str, what: String) -> PyErr {
+    let made = || errors(py)?.getattr(name)?.call1((what,));
     made().map_or_else(|error| error, PyErr::from_value)
 }
 

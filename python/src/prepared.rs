@@ -2,7 +2,7 @@
 
 use crate::answer::{Column, Columns};
 use crate::scene::sound_threads;
-use crate::work::{compute, compute_here};
+use crate::work::{Terms, compute, compute_here};
 use dam::Scene;
 use dam::ask::{Point, PointFigure, PointTable, PreparedScene};
 use dam::prelude::Verdict;
@@ -34,7 +34,7 @@ pub(crate) fn prepare(
     (parameters, figures): (Vec<String>, Vec<String>),
     digits: Option<u8>,
 ) -> PyResult<Prepared> {
-    let prepared = compute(py, None, move |_| {
+    let prepared = compute(py, &Terms::default(), move |_| {
         let prepared = scene.prepare_points(&parameters, &figures)?;
         Ok(match digits {
             Some(digits) => prepared.check_determined(digits),
@@ -98,17 +98,17 @@ impl Prepared {
     }
 
     /// Points at rows of values; on all threads where their number is not given.
-    #[pyo3(signature = (rows, threads, progress))]
+    #[pyo3(signature = (rows, threads, terms))]
     fn table(
         &self,
         py: Python<'_>,
         rows: Vec<Vec<f64>>,
         threads: Option<usize>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<Points> {
         sound_threads(threads)?;
         let prepared = Arc::clone(&self.prepared);
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             let count = rows.len() as f64;
             let heard = |done: usize| watch.at(done as f64 / count);
             prepared.table_within(&rows, threads, &watch.budget(), &heard)
@@ -119,7 +119,7 @@ impl Prepared {
 
 impl Prepared {
     fn point(&self, py: Python<'_>, values: &[f64]) -> PyResult<Point> {
-        compute_here(py, None, |watch| {
+        compute_here(py, &Terms::default(), |watch| {
             self.prepared.at_within(values, &watch.budget())
         })
     }

@@ -3,17 +3,19 @@
 use crate::answer::Answer;
 use crate::fault;
 use crate::prepared::{Prepared, prepare};
+use crate::studies::linkages::LinkageCourse;
 use crate::studies::{
-    cam, compare, find, gradient, law, linear, linkages, map, methods, optimize, reduce, run,
+    cam, compare, find, gradient, law, linear, linkages, map, methods, optimize, reduce, run, show,
     steady, tolerance,
 };
 use crate::tree::node;
-use crate::work::{compute, compute_here, directly};
+use crate::work::{Terms, compute, compute_here, directly};
 use dam::ask::{
     CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, OptimizeQuestion, StrokeQuestion,
     ToleranceQuestion,
 };
 use dam::diagnostics::{Diagnostic, Diagnostics};
+use dam::linkage::kinetostatics::Convention;
 use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
 use dam::read::{Bounds, QuantityChoice};
@@ -22,7 +24,7 @@ use dam::studies::Control;
 use dam::studies::axis::Axis;
 use dam::studies::cam::Reserve;
 use dam::studies::find::Aim;
-use dam::studies::kinematics::{Over, Question};
+use dam::studies::forces::ForceChoice;
 use dam::studies::linear::ResponseQuestion;
 use dam::studies::methods::all_methods;
 use dam::studies::orders::OrdersQuestion;
@@ -161,7 +163,7 @@ impl Scene {
     /// What is wrong, and what its user should know: faults.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let scene = self.asked();
-        let found = compute(py, None, move |_| {
+        let found = compute(py, &Terms::default(), move |_| {
             let ready = scene.decode().and_then(|reading| {
                 Mechanism::of_within(reading, ModelAssessment::Never, &Control::default())
             });
@@ -179,12 +181,39 @@ impl Scene {
         fault::faults(py, &found)
     }
 
-    #[pyo3(signature = (progress=None))]
-    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<(Answer, bool)> {
+    fn run(&self, py: Python<'_>, spread: bool, terms: Terms) -> PyResult<(Answer, bool)> {
         let scene = self.asked();
-        let found = compute_here(py, progress, |watch| run::ask(scene, watch))?;
+        let found = compute_here(py, &terms, |watch| run::ask(scene, spread, watch))?;
         let trusted = found.is_trusted();
         Ok((Answer::new(found), trusted))
+    }
+
+    /// The models of the scene in words, as a picture or as equations.
+    fn show(&self, py: Python<'_>, view: &str, form: &str) -> PyResult<String> {
+        let (view, form) = (show::part(view)?, show::form(form)?);
+        let scene = self.asked();
+        compute(py, &Terms::default(), move |_| {
+            show::ask(&scene, view, form)
+        })
+    }
+
+    /// The same as a document.
+    fn shown(&self, py: Python<'_>) -> PyResult<String> {
+        let scene = self.asked();
+        compute(py, &Terms::default(), move |_| show::document_of(&scene))
+    }
+
+    /// The text of the scene with its settings, its copies and its tables in it.
+    fn written(&self, py: Python<'_>) -> PyResult<String> {
+        directly(py, || {
+            let reading = self.scene.decode()?;
+            Ok(self
+                .scene
+                .document()
+                .decoded(&reading.places)
+                .text()
+                .to_owned())
+        })
     }
 
     /// Least time (s) that so many runs take that Rust asks for: what a run costs without Python.
@@ -193,23 +222,23 @@ impl Scene {
             return Err(PyValueError::new_err("between 1 and 1000 runs are timed"));
         }
         let scene = self.asked();
-        compute(py, None, move |watch| {
+        compute(py, &Terms::default(), move |watch| {
             run::least_time(&scene, repeats, watch)
         })
     }
 
-    #[pyo3(signature = (address, values, progress=None))]
+    #[pyo3(signature = (address, values, terms))]
     fn compare(
         &self,
         py: Python<'_>,
         address: String,
         values: Vec<Bound<'_, PyAny>>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<Answer> {
         let scene = self.asked();
         let values: PyResult<Vec<_>> = values.iter().map(node).collect();
         let values = values?;
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             compare::ask(scene, &address, values, watch)
         })?;
         let columns = found.columns();
@@ -227,7 +256,7 @@ impl Scene {
         prepare(py, self.asked(), (parameters, figures), digits)
     }
 
-    #[pyo3(signature = (x, y, figure, check, digits, threads, panels, progress))]
+    #[pyo3(signature = (x, y, figure, check, digits, threads, panels, terms))]
     #[allow(
         clippy::too_many_arguments,
         reason = "these are what a map is asked by; the stub names them"
@@ -242,14 +271,12 @@ impl Scene {
         digits: u8,
         threads: Option<usize>,
         panels: Vec<String>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<MapAnswer> {
         let mut wanted = wanted(py, (x, y), figure, check, digits, threads)?;
         wanted.panels = panels;
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
-            map::ask(scene, wanted, watch)
-        })?;
+        let found = compute(py, &terms, move |watch| map::ask(scene, wanted, watch))?;
         let (shape, figure) = (found.shape, found.figure.clone());
         let (hash, verdicts) = (found.hash.clone(), found.verdicts());
         let panels = found.panels.clone();
@@ -269,7 +296,7 @@ impl Scene {
     ) -> PyResult<map::Planned> {
         let wanted = wanted(py, (x, y), figure, check, digits, None)?;
         let scene = self.asked();
-        compute(py, None, move |_| map::plan(&scene, wanted))
+        compute(py, &Terms::default(), move |_| map::plan(&scene, wanted))
     }
 
     /// Some cells of a map, by one thread.
@@ -291,12 +318,12 @@ impl Scene {
     ) -> PyResult<Vec<map::ToldCell>> {
         let wanted = wanted(py, (x, y), figure, check, digits, Some(1))?;
         let scene = self.asked();
-        compute(py, None, move |watch| {
+        compute(py, &Terms::default(), move |watch| {
             map::cells(&scene, wanted, first..last, watch)
         })
     }
 
-    #[pyo3(signature = (accuracy, methods, tolerances, steps, repeats, point_limit, models, x, progress))]
+    #[pyo3(signature = (accuracy, methods, tolerances, steps, repeats, point_limit, models, x, terms))]
     #[allow(
         clippy::too_many_arguments,
         reason = "these are what a study is asked by; the stub names them"
@@ -312,7 +339,7 @@ impl Scene {
         point_limit: f64,
         models: bool,
         x: Option<&str>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<Answer> {
         let refuse = |what: String| Err(fault::scene_error(py, &wrong(what)));
         let positive = |value: &f64| value.is_finite() && *value > 0.0;
@@ -357,81 +384,68 @@ impl Scene {
                 return refuse("models are chosen for one scene: leave `models` or `x` out".into());
             }
             let axis = Axis::parse(x).map_err(|what| fault::scene_error(py, &wrong(what)))?;
-            let found = compute(py, progress.as_ref(), move |watch| {
+            let found = compute(py, &terms, move |watch| {
                 methods::over(scene, &axis, accuracy, plan, watch)
             })?;
             let columns = found.columns();
             return Ok(Answer::with_columns(found, columns));
         }
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             methods::ask(scene, accuracy, models, plan, watch)
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (object, over, from_to, positions, speed, acceleration))]
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "these are what a linkage is asked by; the stub names them"
-    )]
-    fn kinematics(
-        &self,
-        py: Python<'_>,
-        object: Option<String>,
-        over: Option<&str>,
-        from_to: Option<(f64, f64)>,
-        positions: usize,
-        speed: Option<f64>,
-        acceleration: Option<f64>,
-    ) -> PyResult<Answer> {
-        let question = linkage_question(object, over, from_to, positions, speed, acceleration);
+    fn kinematics(&self, py: Python<'_>, course: LinkageCourse) -> PyResult<Answer> {
+        let question = course.question();
         let question = question.map_err(|error| fault::scene_error(py, &error))?;
         let scene = self.asked();
-        let found = compute(py, None, move |_| linkages::kinematics(scene, &question))?;
+        let found = compute(py, &Terms::default(), move |_| {
+            linkages::kinematics(scene, &question)
+        })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (object, over, from_to, positions, speed, acceleration))]
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "these are what a linkage is asked by; the stub names them"
-    )]
     fn forces(
         &self,
         py: Python<'_>,
-        object: Option<String>,
-        over: Option<&str>,
-        from_to: Option<(f64, f64)>,
-        positions: usize,
-        speed: Option<f64>,
-        acceleration: Option<f64>,
+        course: LinkageCourse,
+        load: Option<String>,
+        load_positive: bool,
+        frictionless: bool,
+        direction: Option<f64>,
     ) -> PyResult<Answer> {
-        let question = linkage_question(object, over, from_to, positions, speed, acceleration);
+        let question = course.question();
         let question = question.map_err(|error| fault::scene_error(py, &error))?;
+        let choice = ForceChoice {
+            load,
+            convention: match load_positive {
+                true => Convention::LoadPositive,
+                false => Convention::Paper,
+            },
+            frictionless,
+            direction,
+        };
         let scene = self.asked();
-        let found = compute(py, None, move |_| linkages::forces(scene, &question))?;
-        let columns = found.columns();
-        Ok(Answer::with_columns(found, columns))
-    }
-
-    #[pyo3(signature = (progress=None))]
-    fn steady(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Answer> {
-        let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
-            steady::ask(scene, watch)
+        let found = compute(py, &Terms::default(), move |_| {
+            linkages::forces(scene, &question, &choice)
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (progress=None))]
-    fn linearise(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Answer> {
+    fn steady(&self, py: Python<'_>, terms: Terms) -> PyResult<Answer> {
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
-            linear::linearise(scene, watch)
-        })?;
+        let found = compute(py, &terms, move |watch| steady::ask(scene, watch))?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    fn linearise(&self, py: Python<'_>, terms: Terms) -> PyResult<Answer> {
+        let scene = self.asked();
+        let found = compute(py, &terms, move |watch| linear::linearise(scene, watch))?;
         let columns = crate::answer::Columns::default();
         Ok(Answer::with_columns(found, columns))
     }
@@ -443,6 +457,7 @@ impl Scene {
         inputs: Vec<String>,
         outputs: Vec<String>,
         accuracy: f64,
+        terms: Terms,
     ) -> PyResult<Answer> {
         let question = ResponseQuestion {
             frequencies,
@@ -451,14 +466,14 @@ impl Scene {
             accuracy: Some(accuracy),
         };
         let scene = self.asked();
-        let found = compute(py, None, move |watch| {
+        let found = compute(py, &terms, move |watch| {
             linear::response(scene, &question, watch)
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (speeds, highest, accuracy, points, progress=None))]
+    #[pyo3(signature = (speeds, highest, accuracy, points, terms))]
     fn orders(
         &self,
         py: Python<'_>,
@@ -466,7 +481,7 @@ impl Scene {
         highest: usize,
         accuracy: Option<f64>,
         points: usize,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<Answer> {
         let question = OrdersQuestion {
             speeds,
@@ -475,7 +490,7 @@ impl Scene {
             points,
         };
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             linear::orders(scene, &question, watch)
         })?;
         let columns = found.columns();
@@ -483,7 +498,7 @@ impl Scene {
     }
 
     #[pyo3(signature = (object, speed, pressure_angle, return_pressure_angle, roller_factor,
-        least_radius, reserve, reserve_is_force, tolerance, cutter, lift_off))]
+        least_radius, reserve, reserve_is_force, tolerance, cutter, lift_off, terms))]
     #[allow(
         clippy::too_many_arguments,
         reason = "these are what a cam is asked by; the stub names them"
@@ -502,6 +517,7 @@ impl Scene {
         tolerance: Option<String>,
         cutter: Option<String>,
         lift_off: bool,
+        terms: Terms,
     ) -> PyResult<(Answer, String, String)> {
         let any = Bounds::ANY;
         let read = || -> Result<(CamQuestion, cam::Drawn), Error> {
@@ -534,7 +550,7 @@ impl Scene {
         };
         let (question, drawn) = read().map_err(|error| fault::scene_error(py, &error))?;
         let scene = self.asked();
-        let (found, columns, dxf, svg) = compute(py, None, move |watch| {
+        let (found, columns, dxf, svg) = compute(py, &terms, move |watch| {
             let (found, columns) = cam::ask(scene, question, drawn, watch)?;
             let (dxf, svg) = (found.dxf()?, found.svg()?);
             Ok((found, columns, dxf, svg))
@@ -545,11 +561,13 @@ impl Scene {
     fn law(&self, py: Python<'_>, object: String, samples: usize) -> PyResult<Answer> {
         sound_samples(samples)?;
         let scene = self.asked();
-        let (found, columns) = compute(py, None, move |_| law::cycle(scene, object, samples))?;
+        let (found, columns) = compute(py, &Terms::default(), move |_| {
+            law::cycle(scene, object, samples)
+        })?;
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (at, laws, by, lift_off, progress))]
+    #[pyo3(signature = (at, laws, by, lift_off, terms))]
     fn compare_laws(
         &self,
         py: Python<'_>,
@@ -557,18 +575,18 @@ impl Scene {
         laws: Vec<String>,
         by: String,
         lift_off: bool,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<Answer> {
         let scene = self.asked();
         let question = dam::ask::LawQuestion { at, laws, lift_off };
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             law::compare(scene, &question, &by, watch)
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (vary, subject, maximize, minimize, threads, progress))]
+    #[pyo3(signature = (vary, subject, maximize, minimize, threads, terms))]
     #[allow(clippy::too_many_arguments)]
     fn find(
         &self,
@@ -578,7 +596,7 @@ impl Scene {
         maximize: Option<String>,
         minimize: Option<String>,
         threads: Option<usize>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<(Answer, bool)> {
         sound_threads(threads)?;
         let goal = maximize.map(|of| (Aim::Maximize, of));
@@ -589,14 +607,12 @@ impl Scene {
             threads,
         };
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
-            find::ask(scene, &question, watch)
-        })?;
+        let found = compute(py, &terms, move |watch| find::ask(scene, &question, watch))?;
         let (columns, answered) = (found.columns(), found.is_answered());
         Ok((Answer::with_columns(found, columns), answered))
     }
 
-    #[pyo3(signature = (vary, subject, maximize, minimize, starts, threads, progress))]
+    #[pyo3(signature = (vary, subject, maximize, minimize, starts, threads, terms))]
     #[allow(clippy::too_many_arguments)]
     fn optimize(
         &self,
@@ -607,7 +623,7 @@ impl Scene {
         minimize: Option<String>,
         starts: usize,
         threads: Option<usize>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<(Answer, bool, Option<String>)> {
         sound_threads(threads)?;
         let goal = maximize.map(|of| (Aim::Maximize, of));
@@ -619,7 +635,7 @@ impl Scene {
             threads,
         };
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             optimize::ask(scene, &question, watch)
         })?;
         let (columns, answered) = (found.columns(), found.is_answered());
@@ -627,18 +643,18 @@ impl Scene {
         Ok((Answer::with_columns(found, columns), answered, text))
     }
 
-    #[pyo3(signature = (by, figures, check, progress))]
+    #[pyo3(signature = (by, figures, check, terms))]
     fn gradient(
         &self,
         py: Python<'_>,
         by: Vec<String>,
         figures: Vec<String>,
         check: Option<bool>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<(Answer, bool)> {
         let question = GradientQuestion { by, figures, check };
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             gradient::ask(scene, &question, watch)
         })?;
         let answered = found.is_answered();
@@ -646,7 +662,7 @@ impl Scene {
         Ok((Answer::with_columns(found, columns), answered))
     }
 
-    #[pyo3(signature = (tolerances, figures, limits, samples, seed, threads, progress))]
+    #[pyo3(signature = (tolerances, figures, limits, samples, seed, threads, terms))]
     #[allow(clippy::too_many_arguments)]
     fn tolerance(
         &self,
@@ -657,7 +673,7 @@ impl Scene {
         samples: usize,
         seed: u32,
         threads: Option<usize>,
-        progress: Option<Py<PyAny>>,
+        terms: Terms,
     ) -> PyResult<(Answer, bool)> {
         sound_threads(threads)?;
         let question = ToleranceQuestion {
@@ -669,38 +685,24 @@ impl Scene {
             threads,
         };
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
+        let found = compute(py, &terms, move |watch| {
             tolerance::ask(scene, &question, watch)
         })?;
         let (columns, answered) = (found.columns(), found.is_answered());
         Ok((Answer::with_columns(found, columns), answered))
     }
 
-    #[pyo3(signature = (progress=None))]
-    fn verify(
-        &self,
-        py: Python<'_>,
-        progress: Option<Py<PyAny>>,
-    ) -> PyResult<(Answer, bool, String)> {
+    fn verify(&self, py: Python<'_>, terms: Terms) -> PyResult<(Answer, bool, String)> {
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
-            find::verify(&scene, watch)
-        })?;
+        let found = compute(py, &terms, move |watch| find::verify(&scene, watch))?;
         let (hold, junit) = (found.hold(), found.junit());
         let columns = crate::answer::Columns::default();
         Ok((Answer::with_columns(found, columns), hold, junit))
     }
 
-    #[pyo3(signature = (progress=None))]
-    fn reduce(
-        &self,
-        py: Python<'_>,
-        progress: Option<Py<PyAny>>,
-    ) -> PyResult<(Answer, Self, bool)> {
+    fn reduce(&self, py: Python<'_>, terms: Terms) -> PyResult<(Answer, Self, bool)> {
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| {
-            reduce::ask(scene, watch)
-        })?;
+        let found = compute(py, &terms, move |watch| reduce::ask(scene, watch))?;
         let (left, holds) = (Self::of(found.scene()), found.holds());
         let columns = crate::answer::Columns::default();
         Ok((Answer::with_columns(found, columns), left, holds))
@@ -772,42 +774,6 @@ fn sound_samples(samples: usize) -> PyResult<()> {
             "between 1 and 1000000 samples are taken",
         )),
     }
-}
-
-/// What is asked of a linkage.
-fn linkage_question(
-    object: Option<String>,
-    over: Option<&str>,
-    from_to: Option<(f64, f64)>,
-    positions: usize,
-    speed: Option<f64>,
-    acceleration: Option<f64>,
-) -> Result<Question, Error> {
-    let numbers = speed.iter().chain(&acceleration);
-    if !numbers
-        .chain(from_to.iter().flat_map(|(from, to)| [from, to]))
-        .all(|x| x.is_finite())
-    {
-        return Err(wrong("speeds, accelerations and places are finite numbers"));
-    }
-    if !(1..=linkages::MOST).contains(&positions) {
-        return Err(wrong(format!("between 1 and {} positions", linkages::MOST)));
-    }
-    let over = match (over, from_to) {
-        (None, None) => None,
-        (Some("turn"), None) => Some(Over::Turn),
-        (Some("range"), Some((from, to))) => Some(Over::Range { from, to }),
-        (Some("time"), Some((_, to))) => Some(Over::Time { to }),
-        _ => return Err(wrong("over what: a turn, a range or a time")),
-    };
-    Ok(Question {
-        object,
-        over,
-        positions,
-        speed,
-        acceleration,
-        ..Question::default()
-    })
 }
 
 /// A law by itself.

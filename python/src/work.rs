@@ -11,6 +11,7 @@
 
 use crate::fault;
 use dam::budget::{Budget, Listener};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::any::Any;
 use std::cell::RefCell;
@@ -31,6 +32,31 @@ const GRACE: Duration = Duration::from_millis(40);
 /// Stack of the thread that computes: as much as a program's first thread has.
 const STACK: usize = 8 << 20;
 
+/// Who is told how far a computation is, and how long it may take: `(progress, seconds)`.
+#[derive(Debug, Default)]
+pub(crate) struct Terms {
+    progress: Option<Py<PyAny>>,
+    limit: Option<Duration>,
+}
+
+impl<'py> FromPyObject<'_, 'py> for Terms {
+    type Error = PyErr;
+
+    fn extract(terms: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let (progress, seconds): (Option<Py<PyAny>>, Option<f64>) = terms.extract()?;
+        let limit = seconds.map(|seconds| {
+            let limit = Duration::try_from_secs_f64(seconds).ok();
+            limit
+                .filter(|limit| !limit.is_zero())
+                .ok_or_else(|| PyValueError::new_err("time_limit is a positive number of seconds"))
+        });
+        Ok(Self {
+            progress,
+            limit: limit.transpose()?,
+        })
+    }
+}
+
 /// How far a computation is, whether it is to end, and what a Python function that it
 /// calls has raised.
 #[derive(Debug, Default)]
@@ -38,6 +64,8 @@ pub(crate) struct Watch {
     stop: AtomicBool,
     share: AtomicU64,
     raised: Mutex<Option<PyErr>>,
+    /// The time that there is.
+    time: Budget<'static>,
     /// Of what is computed on the calling thread.
     ear: Option<Ear>,
 }
@@ -85,22 +113,33 @@ fn hear(py: Python<'_>, progress: Option<&Py<PyAny>>, share: Option<f64>) -> PyR
 }
 
 impl Watch {
+    /// Of a computation that may take so long.
+    fn within(limit: Option<Duration>) -> Self {
+        Self {
+            time: limit.map_or(Budget::FREE, |limit| Budget::FREE.within(limit)),
+            ..Self::default()
+        }
+    }
+
     /// Of a computation on this thread.
-    fn here(progress: Option<Py<PyAny>>) -> Self {
+    fn here(py: Python<'_>, terms: &Terms) -> Self {
         let ear = Ear {
             thread: std::thread::current().id(),
-            progress,
+            progress: terms
+                .progress
+                .as_ref()
+                .map(|progress| progress.clone_ref(py)),
             last: Mutex::new((Instant::now(), 0.0)),
         };
         Self {
             ear: Some(ear),
-            ..Self::default()
+            ..Self::within(terms.limit)
         }
     }
 
     /// The budget that ends with it.
     pub(crate) fn budget(&self) -> Budget<'_> {
-        Budget::interrupted_by(&self.stop).with_listener(self)
+        self.time.or_interrupted_by(&self.stop).with_listener(self)
     }
 
     /// Says which share is done.
@@ -121,6 +160,14 @@ impl Watch {
         let mut raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner);
         raised.get_or_insert(error);
         self.end();
+    }
+
+    /// What a question that has no answer is told as.
+    fn error(&self, py: Python<'_>, error: &dam::Error) -> PyErr {
+        match self.time.spent() {
+            Some(spent) => fault::time_is_over(py, &spent.to_string()),
+            None => fault::scene_error(py, error),
+        }
     }
 
     fn raised(&self) -> Option<PyErr> {
@@ -201,18 +248,19 @@ fn hand_over(job: Job) -> std::io::Result<Worker> {
     }
 }
 
-/// Works a question out. `progress` is called now and then, and at the end, with the share
-/// that is done.
+/// Works a question out. The progress of its terms is called now and then, and at the end, with
+/// the share that is done.
 ///
 /// # Errors
-/// What the question says is wrong, what a signal handler or `progress` raises,
-/// `InternalError` for a panic.
+/// What the question says is wrong, what a signal handler or the progress raises,
+/// `TimeLimitError` without an answer in time, `InternalError` for a panic.
 pub(crate) fn compute<T: Send + 'static>(
     py: Python<'_>,
-    progress: Option<&Py<PyAny>>,
+    terms: &Terms,
     question: impl FnOnce(&Watch) -> Result<T, dam::Error> + Send + 'static,
 ) -> PyResult<T> {
-    let watch = Arc::new(Watch::default());
+    let progress = terms.progress.as_ref();
+    let watch = Arc::new(Watch::within(terms.limit));
     let (answer, found) = channel();
     let watched = Arc::clone(&watch);
     let job = move || {
@@ -236,7 +284,7 @@ pub(crate) fn compute<T: Send + 'static>(
                 if let Some(progress) = progress {
                     progress.call1(py, (1.0,))?;
                 }
-                found.map_err(|error| fault::scene_error(py, &error))
+                found.map_err(|error| watch.error(py, &error))
             }
             Err(panic) => Err(fault::internal(py, &words(&*panic))),
         };
@@ -290,18 +338,17 @@ fn words(panic: &(dyn Any + Send)) -> String {
     text.unwrap_or_else(|| "an unknown panic".to_owned())
 }
 
-/// Works a question out on the calling thread. `progress` is called as in [`compute`].
+/// Works a question out on the calling thread. The progress is called as in [`compute`].
 ///
 /// # Errors
 /// As of [`compute`].
 pub(crate) fn compute_here<T: Send>(
     py: Python<'_>,
-    progress: Option<Py<PyAny>>,
+    terms: &Terms,
     question: impl FnOnce(&Watch) -> Result<T, dam::Error> + Send,
 ) -> PyResult<T> {
-    let own = progress.as_ref().map(|progress| progress.clone_ref(py));
-    let found = watched_here(py, &Arc::new(Watch::here(own)), question)?;
-    if let Some(progress) = progress {
+    let found = watched_here(py, &Arc::new(Watch::here(py, terms)), question)?;
+    if let Some(progress) = &terms.progress {
         progress.call1(py, (1.0,))?;
     }
     Ok(found)
@@ -331,7 +378,7 @@ fn watched_here<T: Send>(
         return Err(error);
     }
     match outcome {
-        Ok(found) => found.map_err(|error| fault::scene_error(py, &error)),
+        Ok(found) => found.map_err(|error| watch.error(py, &error)),
         Err(panic) => Err(fault::internal(py, &words(&*panic))),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::studies::forces::{ForceStudy, NoForces, forces_of};
+use crate::studies::forces::{ForceChoice, ForceStudy, NoForces, forces_of};
 use crate::studies::kinematics::{Column, Kinematics, Quantity, Question, kinematics_of};
 
 impl Mechanism {
@@ -20,7 +20,20 @@ impl Mechanism {
     /// # Errors
     /// What cannot be answered; faults of the linkage's numbers.
     pub fn forces(&self, question: &Question) -> Result<ForceStudy, Error> {
-        forces_of(self.model(), &self.complete(question)).map_err(|refused| match refused {
+        self.forces_with(question, &ForceChoice::default())
+    }
+
+    /// The same with a load, without friction, or with a direction where the input rests.
+    ///
+    /// # Errors
+    /// As of [`Self::forces`].
+    pub fn forces_with(
+        &self,
+        question: &Question,
+        choice: &ForceChoice,
+    ) -> Result<ForceStudy, Error> {
+        let found = forces_of(self.model(), &self.complete(question), choice);
+        found.map_err(|refused| match refused {
             NoForces::Question(message) => Error::question(message),
             NoForces::Linkage(faults) => self.diagnose(&faults),
         })

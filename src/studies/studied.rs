@@ -5,7 +5,9 @@
 //! kinematics` and `dam forces` find when nothing further is asked.
 
 use super::expectations::{Verdict, did_you_mean, verdict_on};
-use super::forces::{self, ForceStudy, NoForces, figures, figures_of_inputs, only_loaded_output};
+use super::forces::{
+    self, ForceChoice, ForceStudy, NoForces, figures, figures_of_inputs, only_loaded_output,
+};
 use super::kinematics::{
     self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Over, Question, linkage_of,
     several_of,
@@ -109,7 +111,7 @@ pub(super) fn forces_over(
         over,
         ..question(object, duration)
     };
-    let found = forces::forces_of(model, &question);
+    let found = forces::forces_of(model, &question, &ForceChoice::default());
     let found = found.map_err(|refused| match refused {
         NoForces::Question(message) => message,
         NoForces::Linkage(faults) => in_words(faults),

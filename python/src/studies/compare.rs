@@ -1,6 +1,6 @@
 //! Comparisons.
 
-use super::{Asked, run};
+use super::{Asked, in_time, run};
 use crate::answer::{Columns, Figure, Told};
 use crate::work::Watch;
 use dam::ask::ModelAssessment;
@@ -40,7 +40,7 @@ pub(crate) fn ask(
         let budget = watch.budget();
         let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
         let part = (f64::from(at) / count, f64::from(at + 1) / count);
-        let result = run::within(&ready, watch, part)?;
+        let result = in_time(run::within(&ready, watch, part)?, "the comparison", watch)?;
         let scene = Arc::new(scene);
         first.get_or_insert(Asked { scene, ready });
         Ok(result)

@@ -1,6 +1,6 @@
 //! The best value of a parameter, and what a scene expects.
 
-use super::{Asked, interrupted};
+use super::{Asked, in_time, interrupted};
 use crate::answer::{Columns, Told};
 use crate::work::Watch;
 use dam::ask::{FindQuestion, ModelAssessment};
@@ -95,10 +95,7 @@ pub(crate) struct Requirements(VerifiedScene);
 pub(crate) fn verify(scene: &Scene, watch: &Watch) -> Result<Requirements, Error> {
     let budget = watch.budget();
     let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
-    let requirements = ready.verify_within(&budget)?;
-    if budget.is_interrupted() {
-        return Err(interrupted("the judging"));
-    }
+    let requirements = in_time(ready.verify_within(&budget)?, "the judging", watch)?;
     Ok(Requirements(VerifiedScene {
         file: String::new(),
         scene: ready.scene().name.clone(),

@@ -1,6 +1,6 @@
 //! Derivatives of results by numbers of a scene.
 
-use super::Asked;
+use super::{Asked, in_time};
 use crate::answer::Told;
 use crate::work::Watch;
 use dam::ask::{GradientQuestion, ModelAssessment};
@@ -28,7 +28,7 @@ pub(crate) fn ask(
 ) -> Result<Derivatives, Error> {
     let budget = watch.budget();
     let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Never, &budget)?;
-    let found = scene.gradient(question, &budget)?;
+    let found = in_time(scene.gradient(question, &budget)?, "the study", watch)?;
     let asked = Asked { scene, ready };
     Ok(Derivatives { asked, found })
 }

@@ -1,6 +1,6 @@
 //! Linear equations, frequency responses and orders.
 
-use super::Asked;
+use super::{Asked, in_time};
 use crate::answer::{Columns, Told};
 use crate::work::Watch;
 use dam::ask::ModelAssessment;
@@ -27,7 +27,7 @@ pub(crate) struct Linear {
 /// Everything that is wrong with the scene; why it has none.
 pub(crate) fn linearise(scene: Arc<Scene>, watch: &Watch) -> Result<Linear, Error> {
     let ready = scene.prepare_judging(ModelAssessment::Needed, &watch.budget())?;
-    let found = ready.linearise()?;
+    let found = in_time(ready.linearise()?, "the study", watch)?;
     let asked = Asked { scene, ready };
     Ok(Linear { asked, found })
 }
@@ -64,7 +64,7 @@ pub(crate) fn response(
     watch: &Watch,
 ) -> Result<Response, Error> {
     let mut ready = scene.prepare_judging(ModelAssessment::Needed, &watch.budget())?;
-    let found = ready.response(question)?;
+    let found = in_time(ready.response(question)?, "the study", watch)?;
     let asked = Asked { scene, ready };
     Ok(Response { asked, found })
 }
@@ -108,6 +108,7 @@ pub(crate) fn orders(
 ) -> Result<Orders, Error> {
     let ready = scene.prepare_judging(ModelAssessment::Needed, &watch.budget())?;
     let found = ready.orders_within(question, &watch.budget())?;
+    let found = in_time(found, "the study", watch)?;
     let asked = Asked { scene, ready };
     Ok(Orders { asked, found })
 }

@@ -5,15 +5,99 @@ use crate::answer::{Columns, Told};
 use dam::model::Coordinate;
 use dam::report::findings::Findings;
 use dam::report::{forces as forces_report, kinematics as kinematics_report};
-use dam::studies::forces::{Course, ForceStudy};
-use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of, several_of};
+use dam::studies::forces::{Course, ForceChoice, ForceStudy};
+use dam::studies::kinematics::{
+    InputCourse, InputOver, Kinematics, Over, Question, even_motion, linkage_of, several_of,
+};
 use dam::studies::rigid::Rigid;
 use dam::{Error, Mechanism, Scene};
+use pyo3::prelude::*;
 use serde_json::Value;
 use std::sync::Arc;
 
 /// Most positions of a study.
-pub(crate) const MOST: usize = 1_000_000;
+const MOST: usize = 1_000_000;
+
+/// Name of an input; where it goes, if that is said: nowhere in particular, to a place, from and
+/// to; its speed; its acceleration.
+type InputWords = (String, Option<Vec<f64>>, Option<f64>, Option<f64>);
+
+/// What is asked of a linkage, as Python says it.
+#[derive(Debug, FromPyObject)]
+pub(crate) struct LinkageCourse {
+    #[pyo3(item)]
+    object: Option<String>,
+    #[pyo3(item)]
+    over: Option<String>,
+    #[pyo3(item)]
+    from_to: Option<(f64, f64)>,
+    #[pyo3(item)]
+    positions: usize,
+    #[pyo3(item)]
+    speed: Option<f64>,
+    #[pyo3(item)]
+    acceleration: Option<f64>,
+    #[pyo3(item)]
+    inputs: Vec<InputWords>,
+}
+
+impl LinkageCourse {
+    /// The question.
+    ///
+    /// # Errors
+    /// Numbers that are none, a course that is none.
+    pub(crate) fn question(self) -> Result<Question, Error> {
+        let wrong = |what: String| Error::from(vec![dam::fault::Fault::new("", what, "")]);
+        let numbers = self.speed.iter().chain(&self.acceleration);
+        let ends = self.from_to.iter().flat_map(|(from, to)| [from, to]);
+        if !numbers.chain(ends).all(|x| x.is_finite()) {
+            let what = "speeds, accelerations and places are finite numbers";
+            return Err(wrong(what.to_owned()));
+        }
+        if !(1..=MOST).contains(&self.positions) {
+            return Err(wrong(format!("between 1 and {MOST} positions")));
+        }
+        let over = match (self.over.as_deref(), self.from_to) {
+            (None, None) => None,
+            (Some("turn"), None) => Some(Over::Turn),
+            (Some("range"), Some((from, to))) => Some(Over::Range { from, to }),
+            (Some("time"), Some((_, to))) => Some(Over::Time { to }),
+            _ => return Err(wrong("over what: a turn, a range or a time".to_owned())),
+        };
+        let input = |(name, over, speed, acceleration): InputWords| {
+            let over = match over.as_deref() {
+                None => None,
+                Some([]) => Some(InputOver::Free),
+                Some([at]) => Some(InputOver::At(*at)),
+                Some([from, to]) => Some(InputOver::Range {
+                    from: *from,
+                    to: *to,
+                }),
+                Some(_) => {
+                    return Err(wrong(format!(
+                        "the input `{name}` has a place, or two ends"
+                    )));
+                }
+            };
+            Ok(InputCourse {
+                name,
+                over,
+                speed,
+                acceleration,
+            })
+        };
+        let inputs: Result<Vec<_>, Error> = self.inputs.into_iter().map(input).collect();
+        Ok(Question {
+            object: self.object,
+            over,
+            positions: self.positions,
+            speed: self.speed,
+            acceleration: self.acceleration,
+            inputs: inputs?,
+            ..Question::default()
+        })
+    }
+}
 
 /// How a linkage moves.
 pub(crate) struct Moved {
@@ -73,9 +157,13 @@ pub(crate) struct Carried {
 ///
 /// # Errors
 /// Everything that is wrong with the scene; what cannot be answered.
-pub(crate) fn forces(scene: Arc<Scene>, question: &Question) -> Result<Carried, Error> {
+pub(crate) fn forces(
+    scene: Arc<Scene>,
+    question: &Question,
+    choice: &ForceChoice,
+) -> Result<Carried, Error> {
     let ready = Mechanism::of(scene.decode()?)?;
-    let found = ready.forces(question)?;
+    let found = ready.forces_with(question, choice)?;
     let model = ready.model();
     let fault = |what| Error::from(vec![dam::fault::Fault::new("", what, "")]);
     let id = question.object.as_deref();

@@ -12,10 +12,12 @@ pub(crate) mod methods;
 pub(crate) mod optimize;
 pub(crate) mod reduce;
 pub(crate) mod run;
+pub(crate) mod show;
 pub(crate) mod steady;
 pub(crate) mod tolerance;
 
 use crate::answer::{Columns, Figure};
+use crate::work::Watch;
 use dam::Error;
 use dam::record::Figures;
 use dam::report::csv::Rows;
@@ -54,6 +56,17 @@ pub(crate) fn interrupted(what: &str) -> Error {
         "",
     )]
     .into()
+}
+
+/// What was found, if there was time for all of it.
+///
+/// # Errors
+/// There was not.
+pub(crate) fn in_time<T>(found: T, what: &str, watch: &Watch) -> Result<T, Error> {
+    match watch.budget().is_spent() {
+        true => Err(interrupted(what)),
+        false => Ok(found),
+    }
 }
 
 /// Columns of a table for other programs, as far as they are numbers: `phi [rad]` is `phi`

@@ -1,6 +1,6 @@
 //! The smallest scene.
 
-use super::{Asked, interrupted};
+use super::{Asked, in_time};
 use crate::answer::Told;
 use crate::work::Watch;
 use dam::ask::ModelAssessment;
@@ -25,10 +25,7 @@ pub(crate) struct Reduced {
 pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Reduced, Error> {
     let budget = watch.budget();
     let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Never, &budget)?;
-    let found = scene.reduce_within(&budget)?;
-    if budget.is_interrupted() {
-        return Err(interrupted("the search"));
-    }
+    let found = in_time(scene.reduce_within(&budget)?, "the search", watch)?;
     let asked = Asked { scene, ready };
     Ok(Reduced { asked, found })
 }

@@ -1,6 +1,6 @@
 //! Runs.
 
-use super::{Asked, interrupted, plain};
+use super::{Asked, in_time, interrupted, plain};
 use crate::answer::{Figure, Table, Told};
 use crate::work::Watch;
 use dam::ask::ModelAssessment;
@@ -16,6 +16,7 @@ use dam::report::verdict::{Verdict, verdict};
 use dam::studies::cam::disc_cams;
 use dam::studies::judgement::RunDocument;
 use dam::studies::run::{RunResult, run};
+use dam::studies::spread::{Spread, repeat_with_changes};
 use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
 use std::sync::Arc;
@@ -25,18 +26,40 @@ use std::time::Instant;
 pub(crate) struct Run {
     asked: Asked,
     result: RunResult,
+    spread: Option<Spread>,
 }
 
-/// Runs a scene.
+/// Runs a scene. `spread`: whether it is run again with tiny changes of what should not matter.
 ///
 /// # Errors
 /// Everything that is wrong with it.
-pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Run, Error> {
+pub(crate) fn ask(scene: Arc<Scene>, spread: bool, watch: &Watch) -> Result<Run, Error> {
     let budget = watch.budget();
-    let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
+    let mut ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
+    let result = within(&ready, watch, (0.0, 1.0))?;
+    let spread = match spread {
+        true => Some(in_time(
+            repeated(&mut ready, &result, watch)?,
+            "the runs",
+            watch,
+        )?),
+        false => None,
+    };
     let asked = Asked { scene, ready };
-    let result = within(&asked.ready, watch, (0.0, 1.0))?;
-    Ok(Run { asked, result })
+    Ok(Run {
+        asked,
+        result,
+        spread,
+    })
+}
+
+fn repeated(ready: &mut Mechanism, result: &RunResult, watch: &Watch) -> Result<Spread, Error> {
+    let budget = watch.budget();
+    let found = repeat_with_changes(&ready.system, &ready.settings, result, &budget);
+    let found = found.map_err(|faults| Error::from(ready.reading.places.diagnose(&faults)))?;
+    let certificate = ready.certificate.take();
+    ready.certificate = certificate.map(|known| known.with_spread(&found));
+    Ok(found)
 }
 
 /// Least time (s) of so many runs, from the scene to its figures and columns.
@@ -136,6 +159,9 @@ impl Told for Run {
         if let Some(certificate) = &self.asked.ready.certificate {
             accuracy::add_to(&mut document, certificate);
         }
+        if let Some(spread) = &self.spread {
+            document["spread"] = plain(spread)?;
+        }
         Ok(document)
     }
 
@@ -158,7 +184,7 @@ impl Told for Run {
             diagram: &Diagram::of(model),
             machine: Some(Machine { model, cams: &cams }),
             certificate: self.asked.ready.certificate.as_ref(),
-            spread: None,
+            spread: self.spread.as_ref(),
         };
         let mut found = findings(&report, self.asked.source());
         let mut warnings = self.asked.ready.reading.warnings.lines();

@@ -1,6 +1,6 @@
 //! Steady motions.
 
-use super::{Asked, plain};
+use super::{Asked, in_time, plain};
 use crate::answer::{Columns, Told};
 use crate::work::Watch;
 use dam::ask::ModelAssessment;
@@ -27,6 +27,7 @@ pub(crate) struct Steady {
 pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Steady, Error> {
     let ready = scene.prepare_judging(ModelAssessment::Needed, &watch.budget())?;
     let found = ready.steady_within(&watch.budget())?;
+    let found = in_time(found, "the search", watch)?;
     let asked = Asked { scene, ready };
     Ok(Steady { asked, found })
 }

@@ -129,7 +129,7 @@ fn solve_multi_input(
     let asked = question::multi_input_request(args, ready, body)?;
     let object = ready.system.model().objects[body.object].id.clone();
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
-    let found = multi_input_forces(&asked, question::options(args));
+    let found = multi_input_forces(&asked, question::choice(args).options());
     let found = found.map_err(|faults| faults_of(ready, &object, faults))?;
     unused_convention(args, &found)?;
     let motion = found.several.as_ref().map(|several| several.motion.clone());
@@ -177,7 +177,8 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<ForceAnswer, Failure> {
     let object = model.objects[body.object].id.as_str();
     let told = |faults: Vec<Fault>| faults_of(ready, object, faults);
     let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
-    let settings = question::settings(args, &solver)?;
+    let settings = question::choice(args).settings(&solver);
+    let settings = settings.map_err(|what| format!("--{what}"))?;
     if let Some(value) = args
         .compare_massless
         .iter()

@@ -8,10 +8,8 @@ use crate::cli::kinematics::multi_input;
 use crate::dynamics::model::{Coordinate, LinkageBody, MultiLinkageBody};
 use crate::frontend::object::Measures;
 use crate::kinematics::linkage::Linkage;
-use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Options};
-use crate::studies::forces::{
-    Course, ForceSettings, course_of, course_of_record, only_loaded_output,
-};
+use crate::kinematics::linkage::kinetostatics::Convention;
+use crate::studies::forces::{Course, ForceChoice, course_of, course_of_record};
 use crate::studies::kinematics::{
     AskedSeveral, KinematicsRequest, Question, even_motion, whole_travel,
 };
@@ -40,74 +38,20 @@ pub(super) fn multi_input_request<'m>(
     Ok(AskedSeveral::new(ready.system.model(), body, &question)?)
 }
 
-/// Options of the solution of each position.
-pub(super) fn options(args: &ForcesArgs) -> Options {
-    Options {
-        friction: !args.frictionless,
-        direction: args.direction.map(|direction| match direction {
-            Direction::Forwards => 1.0,
-            Direction::Backwards => -1.0,
-        }),
-        ..Options::default()
-    }
-}
-
-/// Friction, loads and the convention of χ.
-pub(super) fn settings(
-    args: &ForcesArgs,
-    solver: &Kinetostatics,
-) -> Result<ForceSettings, Failure> {
-    let (output, loads) = match &args.load {
-        None => (only_loaded_output(solver), None),
-        Some(text) => load(text, solver)?,
-    };
-    Ok(ForceSettings {
-        options: options(args),
-        output,
-        loads,
+/// What is asked besides the course.
+pub(super) fn choice(args: &ForcesArgs) -> ForceChoice {
+    ForceChoice {
+        load: args.load.clone(),
         convention: match args.convention {
             None | Some(ConventionName::Paper) => Convention::Paper,
             Some(ConventionName::LoadPositive) => Convention::LoadPositive,
         },
-    })
-}
-
-/// `OUTPUT` or `OUTPUT=FORCE,FORCE`.
-fn load(text: &str, solver: &Kinetostatics) -> Result<(Option<usize>, Option<Vec<usize>>), String> {
-    let spec = solver.spec();
-    let (output, forces) = match text.split_once('=') {
-        Some((output, forces)) => (output, Some(forces)),
-        None => (text, None),
-    };
-    let outputs: Vec<&str> = spec
-        .outputs
-        .iter()
-        .map(|output| output.name.as_str())
-        .collect();
-    let index = position(output, &outputs, "output")?;
-    let names: Vec<&str> = spec
-        .forces
-        .iter()
-        .map(|force| force.name.as_str())
-        .collect();
-    let chosen = forces.map(|forces| {
-        let list = forces
-            .split(',')
-            .map(|name| position(name.trim(), &names, "force"));
-        list.collect::<Result<Vec<usize>, String>>()
-    });
-    Ok((Some(index), chosen.transpose()?))
-}
-
-fn position(name: &str, names: &[&str], what: &str) -> Result<usize, String> {
-    let found = names.iter().position(|known| *known == name);
-    found.ok_or_else(|| match names {
-        [] => format!("--load: the linkage has no {what}"),
-        _ => format!(
-            "--load: there is no {what} `{name}`; one of {}",
-            names.join(", ")
-        ),
-    })
+        frictionless: args.frictionless,
+        direction: args.direction.map(|direction| match direction {
+            Direction::Forwards => 1.0,
+            Direction::Backwards => -1.0,
+        }),
+    }
 }
 
 /// The course asked for, and in words how the input moves.

@@ -9,6 +9,7 @@ pub mod masses;
 pub mod motion;
 pub mod position;
 pub(crate) mod reduced;
+pub mod scene;
 
 use crate::dynamics::laws::Measure;
 use crate::dynamics::model::Coordinate;

@@ -30,7 +30,8 @@ pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massle
 pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;
 pub use request::{
-    LinkagePositions, NoForces, course_of, course_of_record, forces_of, only_loaded_output,
+    ForceChoice, LinkagePositions, NoForces, course_of, course_of_record, forces_of,
+    only_loaded_output,
 };
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
 pub use zones::{Zone, ZoneKind};

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::dynamics::model::Model;
 use crate::fault::{Fault, with_prefix};
-use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
+use crate::kinematics::linkage::kinetostatics::{Convention, InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::{Linkage, Workspace};
 use crate::studies::endless::DeadEnd;
 use crate::studies::kinematics::{
@@ -92,12 +92,87 @@ impl From<String> for NoForces {
     }
 }
 
-/// The forces of a linkage with one input or several, of the only loaded output if there is
-/// one, with friction.
+/// What is asked of the forces besides the course.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ForceChoice {
+    /// The output whose load the dynamic transmission ratio refers to, and by name the forces that
+    /// are this load: `ram`, or `ram=cutting,drag`. Default the only output with a force on its
+    /// link.
+    pub load: Option<String>,
+    /// Sign of the dynamic transmission ratio.
+    pub convention: Convention,
+    /// Whether all friction is left out.
+    pub frictionless: bool,
+    /// Direction (its sign) of sliding where the input rests.
+    pub direction: Option<f64>,
+}
+
+impl ForceChoice {
+    /// Options of the solution of each position.
+    pub fn options(&self) -> Options {
+        Options {
+            friction: !self.frictionless,
+            direction: self.direction,
+            ..Options::default()
+        }
+    }
+
+    /// Friction, loads and the convention of χ.
+    ///
+    /// # Errors
+    /// There is no such output or force.
+    pub fn settings(&self, solver: &Kinetostatics) -> Result<ForceSettings, String> {
+        let (output, loads) = match &self.load {
+            None => (only_loaded_output(solver), None),
+            Some(text) => load(text, solver)?,
+        };
+        Ok(ForceSettings {
+            options: self.options(),
+            output,
+            loads,
+            convention: self.convention,
+        })
+    }
+}
+
+/// `OUTPUT` or `OUTPUT=FORCE,FORCE`.
+fn load(text: &str, solver: &Kinetostatics) -> Result<(Option<usize>, Option<Vec<usize>>), String> {
+    let spec = solver.spec();
+    let (output, forces) = match text.split_once('=') {
+        Some((output, forces)) => (output, Some(forces)),
+        None => (text, None),
+    };
+    let outputs: Vec<&str> = (spec.outputs.iter().map(|one| one.name.as_str())).collect();
+    let index = position(output, &outputs, "output")?;
+    let names: Vec<&str> = (spec.forces.iter().map(|one| one.name.as_str())).collect();
+    let chosen = forces.map(|forces| {
+        let list = forces.split(',');
+        let list = list.map(|name| position(name.trim(), &names, "force"));
+        list.collect::<Result<Vec<usize>, String>>()
+    });
+    Ok((Some(index), chosen.transpose()?))
+}
+
+fn position(name: &str, names: &[&str], what: &str) -> Result<usize, String> {
+    let found = names.iter().position(|known| *known == name);
+    found.ok_or_else(|| match names {
+        [] => format!("load: the linkage has no {what}"),
+        _ => {
+            let known = names.join(", ");
+            format!("load: there is no {what} `{name}`; one of {known}")
+        }
+    })
+}
+
+/// The forces of a linkage with one input or several.
 ///
 /// # Errors
 /// See [`AskedSeveral::new`], [`KinematicsRequest::new`], [`course_of`], [`study`].
-pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoForces> {
+pub fn forces_of(
+    model: &Model,
+    question: &Question,
+    choice: &ForceChoice,
+) -> Result<ForceStudy, NoForces> {
     let object = question.object.as_deref();
     let wrong = |object: usize| {
         let id = &model.objects[object].id;
@@ -105,7 +180,18 @@ pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoFor
     };
     if let Some(body) = several_of(model, object) {
         let asked = AskedSeveral::new(model, body, question)?;
-        return multi_input_forces(&asked, Options::default()).map_err(wrong(body.object));
+        for (given, what) in [
+            (choice.load.is_some(), "load"),
+            (choice.direction.is_some(), "direction"),
+        ] {
+            if given {
+                let id = &model.objects[body.object].id;
+                let message =
+                    format!("{what} belongs to a linkage of one input, and `{id}` has several");
+                return Err(NoForces::Question(message));
+            }
+        }
+        return multi_input_forces(&asked, choice.options()).map_err(wrong(body.object));
     }
     let body = linkage_of(model, object)?;
     let spec = body.linkage.spec();
@@ -116,10 +202,7 @@ pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoFor
         question.over = Some(whole_travel(&body.linkage));
     }
     let course = course_of(&KinematicsRequest::new(model, &question)?)?;
-    let settings = ForceSettings {
-        output: only_loaded_output(&solver),
-        ..ForceSettings::default()
-    };
+    let settings = choice.settings(&solver)?;
     let acting = ActingLoads::loads_along_course(model, body, &course);
     let mut positions = LinkagePositions::new(&body.linkage).carrying(acting);
     study(spec, &mut positions, course, settings).map_err(wrong(body.object))
