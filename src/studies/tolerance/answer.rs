@@ -118,7 +118,10 @@ pub struct Failure {
 impl Tolerances {
     /// Whether all that was asked is known.
     pub fn is_answered(&self) -> bool {
-        self.complete && self.figures.iter().all(|figure| figure.middle.is_some())
+        let known = |figure: &FigureTolerance| {
+            figure.middle.is_some() && (self.asked == 0 || !figure.values.is_empty())
+        };
+        self.complete && self.figures.iter().all(known)
     }
 
     /// The JSON document. `scene`: its name.
