@@ -572,12 +572,12 @@ class Scene:
 
     def optimize(
         self,
-        vary: str | Sequence[str],
+        vary: str | Sequence[str] = (),
         *,
         subject: str | Sequence[str] = (),
         maximize: str | None = None,
         minimize: str | None = None,
-        starts: int = 8,
+        starts: int | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
         time_limit: float | None = None,
@@ -587,16 +587,23 @@ class Scene:
         `vary`: variables and their ranges, `"rocker.inertia=0.05:0.4"`; with `:0.1` behind it
         the value of the first start, with `:log` equal ratios. `subject`: conditions,
         `"valve.pair.margin >= 50 N"`. `maximize` or `minimize`: a figure, or a variable itself.
-        `starts`: the first at the values of the scene, the others evenly in all ranges. Results do
-        not depend on `threads`."""
-        if (maximize is None) == (minimize is None):
+        `starts`: the first at the values of the scene, the others evenly in all ranges; 8 if not
+        said. What is not given is taken from the block `optimize` of the scene. Results do not
+        depend on `threads`."""
+        if maximize is not None and minimize is not None:
             raise TypeError("one of maximize and minimize is given")
-        if not 1 <= starts <= 1000:
+        if starts is not None and not 1 <= starts <= 1000:
             raise ValueError(f"starts: {starts} is not between 1 and 1000")
         variables = [vary] if isinstance(vary, str) else list(vary)
         conditions = [subject] if isinstance(subject, str) else list(subject)
         found, answered, text = self._core.optimize(
-            variables, conditions, maximize, minimize, starts, threads, _terms(progress, time_limit)
+            variables,
+            conditions,
+            maximize,
+            minimize,
+            starts or 0,
+            threads,
+            _terms(progress, time_limit),
         )
         return answers.Optimum(found, answered, text)
 

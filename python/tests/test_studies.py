@@ -387,6 +387,8 @@ def test_the_softest_spring_is_held_by_both_forces(scenarios: Path) -> None:
     assert [found.multipliers[one] for one in limits] == pytest.approx([25.0, -25.0], rel=1e-5)
     assert found.scene_text is not None and '"rate"' in found.scene_text
     with pytest.raises(TypeError):
+        scene.optimize(f"{spring}.rate=0:5000", minimize="a", maximize="b")
+    with pytest.raises(dam.SceneError, match="minimize"):
         scene.optimize(f"{spring}.rate=0:5000")
     with pytest.raises(dam.SceneError, match="LOW:HIGH"):
         scene.optimize(f"{spring}.rate=5000:0", minimize=f"{spring}.rate")

@@ -8,7 +8,7 @@ use crate::dynamics::builder::spec::Level;
 use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::frontend::lower::lower;
-use crate::frontend::scene::{Levels, Reading, in_words};
+use crate::frontend::scene::{Levels, OptimizeSpec, Reading, in_words};
 use crate::studies::condition::{Condition, Relation, counts};
 use crate::studies::exact::exact_parts;
 use crate::studies::find::{Aim, Goal, State, figures_of};
@@ -41,17 +41,54 @@ const MOVED: f64 = 0.01;
 #[derive(Clone, Debug, Default)]
 pub struct OptimizeQuestion {
     /// The variables and their ranges: `rocker.inertia=0.05:0.4`, with `:START` for the value of the
-    /// first start, and `:log` for equal ratios.
+    /// first start, and `:log` for equal ratios. Empty: those of the scene's block `optimize`.
     pub vary: Vec<String>,
     /// Conditions on figures: `valve.pair.margin >= 50 N`; `valve.pair.in_working_order = true`
-    /// stands for a margin of at least zero.
+    /// stands for a margin of at least zero. Empty: those of the block.
     pub subject: Vec<String>,
-    /// Which end is sought, and of what: the address of a variable, or of a figure.
+    /// Which end is sought, and of what: the address of a variable, or of a figure. `None`: that of
+    /// the block.
     pub goal: Option<(Aim, String)>,
-    /// Number of starts; 0: [`STARTS`].
+    /// Number of starts; 0: that of the block, else [`STARTS`].
     pub starts: usize,
     /// Number of threads; default: one for every processor core. Results do not depend on it.
     pub threads: Option<usize>,
+}
+
+impl OptimizeQuestion {
+    /// The question with what it leaves open as the scene has it.
+    ///
+    /// # Errors
+    /// The scene names two goals, and the question none.
+    fn filled(&self, block: Option<&OptimizeSpec>) -> Result<Self, Error> {
+        let mut all = self.clone();
+        let Some(block) = block else {
+            return Ok(all);
+        };
+        if all.vary.is_empty() {
+            all.vary.clone_from(&block.vary);
+        }
+        if all.subject.is_empty() {
+            all.subject.clone_from(&block.subject);
+        }
+        if all.starts == 0 {
+            all.starts = block.starts.map_or(0, |count| count as usize);
+        }
+        if all.goal.is_none() {
+            let goal = |aim, of: &Option<String>| of.clone().map(|of| (aim, of));
+            let [greatest, least] = [
+                goal(Aim::Maximize, &block.maximize),
+                goal(Aim::Minimize, &block.minimize),
+            ];
+            if greatest.is_some() && least.is_some() {
+                let message =
+                    "the block `optimize` has `maximize` and `minimize`: give one of them";
+                return Err(Error::question(message));
+            }
+            all.goal = greatest.or(least);
+        }
+        Ok(all)
+    }
 }
 
 /// Finds the best values. `heard`: receives the number of places that were looked at, from any
@@ -70,6 +107,7 @@ pub(crate) fn optimize(
         return Err(Error::question(message));
     }
     let reading = source.decode(&[])?;
+    let question = &question.filled(reading.scene.optimize.as_ref())?;
     let model = lower(&reading.scene).map_err(|faults| reading.places.diagnose(&faults))?;
     let resolved = Resolved::of(question, &reading, &model, source)?;
     let names: Vec<String> = (resolved.figures.iter())

@@ -25,7 +25,7 @@ pub(crate) fn command(args: &OptimizeArgs) -> Result<Status, Failure> {
         vary: args.vary.clone(),
         subject: args.subject.clone(),
         goal: goal(&args.maximize, &args.minimize),
-        starts: usize::from(args.starts),
+        starts: args.starts.map_or(0, usize::from),
         threads: args.threads.map(usize::from),
     };
     interrupt::enter(Stage::Answering);

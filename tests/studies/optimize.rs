@@ -306,6 +306,29 @@ fn wrong_questions_are_refused_with_all_that_is_wrong() {
 }
 
 #[test]
+fn a_scene_holds_its_own_question() {
+    let mut text: Value = serde_json::from_str(cam_and_spring(&case("cam_spring")).json()).unwrap();
+    text["optimize"] = json!({
+        "vary": [format!("{PRELOAD}=0:100 N")],
+        "subject": ["follower.pair.margin >= 0"],
+        "minimize": PRELOAD,
+        "starts": 2,
+    });
+    let scene = Scene::from_json(&text.to_string()).unwrap();
+    let ask = |question: &OptimizeQuestion| scene.optimize(question, &Control::default());
+    let found = ask(&OptimizeQuestion::default()).expect("an answer");
+    near(found.best().expect("an optimum").goal, 8.372_981_689_857_21);
+    assert_eq!(found.starts.len(), 2);
+    // What is asked goes before what the scene has.
+    let other = OptimizeQuestion {
+        subject: vec!["follower.pair.margin >= 1 N".to_owned()],
+        ..OptimizeQuestion::default()
+    };
+    let found = ask(&other).expect("an answer");
+    near(found.best().expect("an optimum").goal, 9.372_981_689_857_21);
+}
+
+#[test]
 fn an_end_from_outside_is_said() {
     let flag = std::sync::atomic::AtomicBool::new(true);
     let control = Control::interrupted_by(&flag);

@@ -6,10 +6,11 @@ use crate::frontend::read::{Member, Node, Value, synonyms};
 use std::ops::Range;
 
 /// Names that address the scene itself and cannot be ids.
-pub(super) const RESERVED: [&str; 9] = [
+pub(super) const RESERVED: [&str; 10] = [
     "parameters",
     "run",
     "steady",
+    "optimize",
     "kinematics",
     "forces",
     "expect",

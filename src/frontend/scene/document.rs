@@ -205,6 +205,7 @@ impl Document {
                     objects: read.objects,
                     run: read.run,
                     steady: read.steady,
+                    optimize: read.optimize,
                     expect: read.expect,
                     measured: read.measured,
                     hash: hash(&canonical),

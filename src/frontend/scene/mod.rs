@@ -14,6 +14,7 @@ mod folder;
 mod levels;
 mod numbers;
 mod objects;
+mod optimize;
 #[cfg(feature = "live")]
 mod outline;
 mod overrides;
@@ -35,6 +36,7 @@ pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described_results}
 pub use folder::{Folder, read_bounded};
 pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
+pub use optimize::OptimizeSpec;
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
 pub(crate) use span::SpanAddress;
@@ -61,6 +63,8 @@ pub struct TypedScene {
     pub run: RunSpec,
     /// Question about its steady motion, if one is asked.
     pub steady: Option<SteadySpec>,
+    /// What `dam optimize` is asked, if that is in the scene.
+    pub optimize: Option<OptimizeSpec>,
     /// Expectations of the run.
     pub expect: Vec<Expectation>,
     /// Numbers with units of figures whose quantity follows from the model.

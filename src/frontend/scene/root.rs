@@ -1,7 +1,10 @@
 //! The top level of a scene.
 
 use super::objects::{self, ObjectTable};
-use super::{Expectation, MeasuredValue, RunSpec, SceneObject, SteadySpec, expect, run, steady};
+use super::{
+    Expectation, MeasuredValue, OptimizeSpec, RunSpec, SceneObject, SteadySpec, expect, optimize,
+    run, steady,
+};
 use crate::frontend::read::Slot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -12,6 +15,7 @@ pub(super) struct Root {
     pub(super) objects: BTreeMap<String, SceneObject>,
     pub(super) run: RunSpec,
     pub(super) steady: Option<SteadySpec>,
+    pub(super) optimize: Option<OptimizeSpec>,
     pub(super) expect: Vec<Expectation>,
     pub(super) measured: Vec<MeasuredValue>,
 }
@@ -34,6 +38,8 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
         });
         let doc = "The wanted steady motion of the drive (`dam steady`).";
         let steady = fields.maybe("steady", doc, |slot| steady::read(slot, &known));
+        let doc = "The wanted best values of several variables (`dam optimize`).";
+        let optimize = fields.maybe("optimize", doc, optimize::read);
         let expect = fields.or(
             "expect",
             "Values that results of the run must have.",
@@ -47,6 +53,7 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
             objects: objects?,
             run: run?,
             steady: steady?,
+            optimize: optimize?,
             expect: expect?,
             measured: known.measured.take(),
         })

@@ -78,6 +78,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
             conditions: Vec::new(),
         },
         steady: None,
+        optimize: None,
         expect: Vec::new(),
         measured: Vec::new(),
         hash: String::new(),
