@@ -64,6 +64,7 @@ __all__ = [
     "Material",
     "Motion",
     "Motor",
+    "Optimize",
     "Pair",
     "PairContact",
     "Plan",
@@ -2432,6 +2433,43 @@ class Motor(Tree):
             ("moment_of_inertia", moment_of_inertia),
             ("speed", speed),
             ("torque", torque),
+        )
+
+
+class Optimize(Tree):
+    """The wanted best values of several variables (`dam optimize`).
+
+    Parameters
+    ----------
+    vary
+        Variables and their ranges, PATH=LOW:HIGH, with :START and :log if wanted.
+    maximize
+        Result or variable to be greatest.
+    minimize
+        Result or variable to be least.
+    starts
+        Number of starts (8).
+    subject
+        Conditions on results: "valve.pair.margin >= 50 N". Default: [].
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        vary: Sequence[str],
+        maximize: str | None = None,
+        minimize: str | None = None,
+        starts: int | str | None = None,
+        subject: Sequence[str] | None = None,
+    ) -> None:
+        super().__init__(
+            ("vary", vary),
+            ("maximize", maximize),
+            ("minimize", minimize),
+            ("starts", starts),
+            ("subject", subject),
         )
 
 

@@ -12,7 +12,7 @@ from dam.errors import SceneError
 
 if TYPE_CHECKING:
     from dam.errors import Fault
-    from dam.kinds import AnyKind, Run, Steady
+    from dam.kinds import AnyKind, Optimize, Run, Steady
     from dam.prepared import PreparedScene
 
 __all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema", "stroke"]
@@ -90,6 +90,8 @@ class Scene:
         How it is run: a duration (s), or `dam.kinds.Run`, or a mapping.
     steady
         What is asked of the steady motion of the drive.
+    optimize
+        What `optimize` looks for if it is not said there.
     description
         Remarks for people.
 
@@ -108,6 +110,7 @@ class Scene:
         run: Quantity | Run | Mapping[str, Value],
         *,
         steady: Steady | Mapping[str, Value] | None = None,
+        optimize: Optimize | Mapping[str, Value] | None = None,
         description: str | None = None,
     ) -> None:
         if isinstance(run, (int, float, str)):
@@ -119,6 +122,7 @@ class Scene:
             "objects": dict(objects),
             "run": run,
             "steady": steady,
+            "optimize": optimize,
         }
         self._core = _dam.Scene.of_tree(tree)
         self._source: tuple[str, str, str | None] | dict[str, Value] = tree
