@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from inspect import signature
 from typing import Union
 
 from dam._dam import Own
@@ -33,6 +34,13 @@ class Tree:
 
     def __getitem__(self, name: str) -> Value:
         return self._members[name]
+
+    def __getattr__(self, name: str) -> Value:
+        """A property by its name, as it was given: `Motion(speed="300 rpm").speed`; `None`: it
+        was left out."""
+        if name.startswith("_") or name not in signature(type(self).__init__).parameters:
+            raise AttributeError(f"{type(self).__name__} has no property {name!r}")
+        return self._members.get(name.rstrip("_"))
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self._members == getattr(other, "_members", None)

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Union, cast
 from dam import _dam
 
 if TYPE_CHECKING:
+    import os
+
     import numpy
     import numpy.typing
     import pandas
@@ -210,6 +212,15 @@ class Record:
 
         return numpy.column_stack([self[name] for name in self._places])
 
+    def __array__(
+        self, dtype: numpy.typing.DTypeLike | None = None, copy: bool | None = None
+    ) -> numpy.typing.NDArray[Any]:
+        """All columns beside each other, for `numpy.asarray(record)`: rows by columns."""
+        if copy is False:
+            raise ValueError("the columns of a record are beside each other only in a copy")
+        values = self.to_numpy()
+        return values if dtype is None else values.astype(dtype)
+
     def to_pandas(self) -> pandas.DataFrame:
         """A data frame; `attrs["units"]` holds the units."""
         import pandas
@@ -234,6 +245,17 @@ class Record:
         if self._index is not None:
             coordinates[over] = (over, self[self._index], {"units": self._units[self._index]})
         return xarray.Dataset(variables, coordinates)
+
+    def to_parquet(self, path: str | os.PathLike[str]) -> None:
+        """Writes a Parquet file by pyarrow; the units are metadata of its fields."""
+        import pyarrow
+        import pyarrow.parquet
+
+        pyarrow.parquet.write_table(pyarrow.table(self), path)
+
+    def to_netcdf(self, path: str | os.PathLike[str]) -> None:
+        """Writes a NetCDF file by xarray, each variable with its unit."""
+        self.to_xarray().to_netcdf(path)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """Arrow's C stream of one batch of doubles; the units are metadata of the fields."""

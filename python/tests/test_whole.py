@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import inspect
+import pickle
 import re
 import subprocess
 import sys
@@ -10,10 +12,13 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+import numpy
+import pandas
+import pyarrow.parquet
 import pytest
 
 import dam
-from dam import answers
+from dam import answers, kinds
 from dam.scene import Scene
 
 # What no question needs: how the program prints and writes.
@@ -213,3 +218,27 @@ def test_scenes_are_saved_and_compared(rocker: Scene, tmp_path: Path) -> None:
     assert again == changed and again.settings == []
     assert again.run().figures == changed.run().figures
     assert rocker != "rocker" and len({rocker, dam.loads(rocker.json), changed}) == 2
+
+
+def test_what_was_given_is_read_again() -> None:
+    motion = kinds.Motion(speed="300 rpm")
+    assert motion.speed == "300 rpm" and motion.angle is None
+    drive = kinds.Drive(motion=motion)
+    assert isinstance(drive.motion, kinds.Motion) and drive.motion.speed == "300 rpm"
+    with pytest.raises(AttributeError, match="no property 'velocity'"):
+        motion.velocity  # noqa: B018
+    assert copy.deepcopy(drive) == drive == pickle.loads(pickle.dumps(drive))
+
+
+def test_records_are_what_others_take(rocker: Scene, tmp_path: Path) -> None:
+    record = rocker.run().record
+    values = numpy.asarray(record)
+    assert values.shape == (len(record), len(record.columns))
+    assert (values[:, 0] == record["time"]).all()
+    assert numpy.asarray(record, dtype=numpy.float32).dtype == numpy.float32
+    frame = pandas.DataFrame(record)
+    assert frame.shape == values.shape and (frame.to_numpy() == values).all()
+    record.to_parquet(tmp_path / "record.parquet")
+    again = pyarrow.parquet.read_table(tmp_path / "record.parquet")
+    assert again.column("time").to_pylist() == record["time"].tolist()
+    assert again.schema.field("time").metadata == {b"unit": b"s"}
