@@ -97,7 +97,7 @@ it("a block is put in its places: turned, enlarged, in rows, in another block", 
     ],
   ]);
   const rows = shown(file("0 INSERT 2 bar 10 0 20 0 70 2 71 3 44 20 45 4", { blocks: block }));
-  expect(corners(rows).map(([[x, y] = []]) => [x, y].map((one) => Math.round(one! * 1e6) / 1e6))).toEqual([
+  expect(corners(rows).map((line) => line[0]!.map((one) => Math.round(one * 1e6) / 1e6))).toEqual([
     [0, 0],
     [20, 0],
     [0, 4],
