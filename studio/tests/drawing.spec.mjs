@@ -365,7 +365,7 @@ test("a picture lies below the drawing: moved, scaled by two points, kept by thi
     });
   const chosen = page.getByLabel("picture from a file");
   await chosen.setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("no picture") });
-  await expect(page.locator(".picture-tools")).toContainText("notes.txt is no PNG or JPEG picture.");
+  await expect(page.locator(".picture-tools")).toContainText("notes.txt is no PNG, JPEG or DXF file.");
   await chosen.setInputFiles({ name: "broken.png", mimeType: "image/png", buffer: Buffer.from("no picture") });
   await expect(page.locator(".picture-tools")).toContainText("broken.png cannot be read");
   await chosen.setInputFiles({ name: "bars.png", mimeType: "image/png", buffer: Buffer.from(bytes, "base64") });
@@ -431,4 +431,80 @@ test("a picture lies below the drawing: moved, scaled by two points, kept by thi
     document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
   }, bytes);
   await expect(picture).toBeVisible();
+});
+
+test("a DXF plan lies below the drawing in its own size, and bad files have a word", async ({ page }) => {
+  const sent = [];
+  page.on("websocket", (socket) => socket.on("framesent", ({ payload }) => sent.push(String(payload))));
+  await shown(page, "scenarios/linkages/slider_crank_spring.json");
+  const text = await textOf(page),
+    plan = page.locator(".sketch path.underlay"),
+    tools = page.locator(".picture-tools"),
+    chosen = page.getByLabel("picture from a file");
+  const file = (unit, entities) =>
+    ["0 SECTION 2 HEADER", `9 $INSUNITS 70 ${unit}`, "0 ENDSEC 0 SECTION 2 ENTITIES", entities, "0 ENDSEC 0 EOF"]
+      .join(" ")
+      .split(" ")
+      .join("\n");
+  const put = (name, content) =>
+    chosen.setInputFiles({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+  await put("half.dxf", file(4, "0 LINE 10 0 20 0 11 300 21 0").slice(0, -5));
+  await expect(tools).toContainText("half.dxf ends in the middle");
+  await put("words.dxf", file(4, "0 TEXT 10 0 20 0 1 word"));
+  await expect(tools).toContainText("words.dxf has no lines, arcs or polylines.");
+  await put("part.dwg", "AC1032 and more");
+  await expect(tools).toContainText("save it as DXF");
+  await expect(plan).toHaveCount(0);
+  await put(
+    "frame.dxf",
+    file(4, "0 LINE 10 50 20 50 11 350 21 50 0 CIRCLE 10 350 20 110 40 60 0 TEXT 10 0 20 0 1 word"),
+  );
+  await expect(tools).toContainText("frame.dxf is 360 mm wide and 120 mm high. Not shown: 1 TEXT.");
+  // 360 mm of the plan are as long as 360 mm between joints.
+  const perMetre = await page.evaluate(() => {
+    const [a, b] = ["crank.A", "ground.O"].map((name) => document.querySelector(`.joint[data-joint~="${name}"]`));
+    const off = (read) => Math.hypot(...[0, 1].map((k) => read(a, k) - read(b, k)));
+    return (
+      off((one, k) => Number(one.querySelector(".hit").getAttribute(k ? "cy" : "cx"))) /
+      off((one, k) => Number(one.dataset.at.split(" ")[k]))
+    );
+  });
+  const size = () =>
+    plan.evaluate((own) => {
+      const { a } = own.transform.baseVal.consolidate().matrix,
+        { width, height } = own.getBBox();
+      return [a * width, a * height];
+    });
+  const [width, height] = await size();
+  expect(width / perMetre).toBeCloseTo(0.36, 3);
+  expect(height / perMetre).toBeCloseTo(0.12, 3);
+  // Its lines are seen in light and in dark.
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    await page.screenshot({ path: test.info().outputPath(`plan-${colorScheme}.png`) });
+    const [line, ground] = await plan.evaluate((own) => [
+      getComputedStyle(own).stroke,
+      getComputedStyle(document.body).backgroundColor,
+    ]);
+    expect(line).not.toBe(ground);
+  }
+  // Without a unit it is scaled by two places.
+  await put("bare.dxf", file(0, "0 LINE 10 0 20 0 11 10 21 0 0 LINE 10 10 20 0 11 10 21 5"));
+  await expect(tools).toContainText("bare.dxf names no unit");
+  await button(page, "Scale picture").click();
+  const box = await plan.boundingBox();
+  await page.mouse.click(box.x + 1, box.y + box.height - 1);
+  await page.mouse.click(box.x + box.width - 1, box.y + box.height - 1);
+  await page.getByLabel("their distance").fill("200 mm");
+  await page.keyboard.press("Enter");
+  await expect.poll(async () => (await size())[0] / perMetre).toBeCloseTo(0.2, 2);
+  const scaled = await size();
+  // It is there when the page comes again; the scene knows nothing of it, and nobody was sent it.
+  expect(await textOf(page)).toBe(text);
+  expect(sent.filter((one) => /"push"|LINE|M0/.test(one))).toEqual([]);
+  await page.reload();
+  await page.getByRole("tab", { name: "Drawing" }).click();
+  await expect.poll(size).toEqual(scaled);
+  await button(page, "Remove picture").click();
+  await expect(plan).toHaveCount(0);
 });

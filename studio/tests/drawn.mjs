@@ -19,12 +19,13 @@ export function eachWatched() {
   });
 }
 
-// A page on a folder with these scenes, or with what is put there.
-export async function begun(page, scenes = {}, prepare = () => {}) {
+// A page on a folder with these scenes, or with what is put there; or the single file at its address,
+// which needs no server: the program is asked for its own answers alone.
+export async function begun(page, scenes = {}, prepare = () => {}, file = "") {
   server = new Server(scenes);
   prepare(server);
-  await server.start();
-  await page.goto(server.address);
+  if (!file) await server.start();
+  await page.goto(file || server.address);
 }
 
 export const button = (page, name) => page.getByRole("button", { name, exact: true });

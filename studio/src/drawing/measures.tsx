@@ -12,7 +12,7 @@ import { unitOf } from "../units";
 type Sort = "length" | "angle";
 
 const unitFor = (sort: Sort): string => (sort === "length" ? unitOf("m") || "mm" : unitOf("rad") || "deg");
-const written = (value: number, sort: Sort): string => {
+export const written = (value: number, sort: Sort): string => {
   const unit = unitFor(sort),
     one = (sort === "length" ? LENGTHS : ANGLES)[unit]!;
   return `${Number((value / one).toPrecision(7))} ${unit}`;

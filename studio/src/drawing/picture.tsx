@@ -1,4 +1,4 @@
-// The picture below the drawing, and what is done with it.
+// The picture or plan below the drawing, and what is done with it.
 
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { toPixel, type Frame } from "../figure";
@@ -8,10 +8,25 @@ import { typedMeasure } from "./lengths";
 import type { Under } from "./under";
 import { scaledTo } from "./underlay";
 
-export function PictureBelow({ under: { url, own }, view }: { under: Under; view: Frame }) {
-  if (!url || !own) return null;
+export function PictureBelow({ under: { url, path, own }, view }: { under: Under; view: Frame }) {
+  if (!own) return null;
   const [x, y] = toPixel(view, [own.left, own.bottom + own.pixel * own.height]),
     size = own.pixel * view.scale;
+  if (path)
+    return (
+      <path
+        class="underlay"
+        d={path}
+        transform={`translate(${x} ${y}) scale(${size})`}
+        vector-effect="non-scaling-stroke"
+        fill="none"
+        stroke="currentColor"
+        opacity={own.opacity}
+      >
+        <title>the plan below the drawing</title>
+      </path>
+    );
+  if (!url) return null;
   return (
     <image
       class="underlay"
@@ -120,7 +135,7 @@ export function PictureTools({ under }: { under: Under }) {
       <input
         ref={chosen}
         type="file"
-        accept="image/png,image/jpeg"
+        accept="image/png,image/jpeg,.dxf"
         aria-label="picture from a file"
         hidden
         onChange={(event) => {
@@ -131,10 +146,10 @@ export function PictureTools({ under }: { under: Under }) {
       />
       <button
         type="button"
-        title="PNG or JPEG; it can be pasted too. It stays in this browser: no scene has it, and it is not sent."
+        title="PNG, JPEG or DXF; a picture can be pasted too. It stays in this browser: no scene has it, and it is not sent."
         onClick={() => chosen.current!.click()}
       >
-        {under.own ? "Other picture…" : "Picture below…"}
+        {under.own ? "Other picture or DXF…" : "Picture or DXF below…"}
       </button>
       {under.own && <Adjust under={under} />}
       {under.told && <span role="status">{under.told}</span>}

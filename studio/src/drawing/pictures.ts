@@ -3,7 +3,9 @@
 import type { Underlay } from "./underlay";
 
 export interface Kept {
-  image: Blob;
+  // A picture, or the path of a plan (`dxf.ts`).
+  image?: Blob;
+  path?: string;
   underlay: Underlay;
 }
 

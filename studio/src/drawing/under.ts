@@ -1,10 +1,11 @@
-// The picture below a linkage: taken from a file or from the clipboard, kept, moved and scaled.
+// The picture or plan below a linkage: taken from a file or from the clipboard, kept, moved and scaled.
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Frame } from "../figure";
 import { isInField } from "../keys";
 import type { Point } from "../linkage";
 import { keep, picture, type Kept } from "./pictures";
+import { readFrom } from "./under-files";
 import { laidIn, type Underlay } from "./underlay";
 
 // What is done with it: by the pointer, or by the arrow keys.
@@ -12,6 +13,7 @@ export type Mode = "rest" | "move" | "scale";
 
 export interface Under {
   url: string | null;
+  path: string | null;
   own: Underlay | null;
   mode: Mode;
   // The places that a distance is typed for.
@@ -25,21 +27,6 @@ export interface Under {
   mark: (place: Point) => void;
 }
 
-const SORTS = ["image/png", "image/jpeg"],
-  LARGEST = 20 << 20;
-
-// Its size in pixels; text: why it cannot be shown.
-async function sizeOf(image: Blob, name: string): Promise<[number, number] | string> {
-  if (!SORTS.includes(image.type)) return `${name} is no PNG or JPEG picture.`;
-  if (image.size > LARGEST) return `${name} is larger than 20 MB.`;
-  try {
-    const { width, height } = await createImageBitmap(image);
-    return [width, height];
-  } catch {
-    return `${name} cannot be read as a picture.`;
-  }
-}
-
 // `key`: which linkage of which scene.
 export function useUnder(key: string | null, view: Frame | null): Under {
   const [kept, setKept] = useState<Kept | null>(null),
@@ -49,7 +36,7 @@ export function useUnder(key: string | null, view: Frame | null): Under {
     [told, setTold] = useState("");
   const show = (next: Kept | null) => {
     setKept(next);
-    if (next?.image !== kept?.image) setUrl(next && URL.createObjectURL(next.image));
+    if (next?.image !== kept?.image) setUrl(next?.image ? URL.createObjectURL(next.image) : null);
   };
   const begin = (next: Mode) => {
     setMode(next);
@@ -83,10 +70,14 @@ export function useUnder(key: string | null, view: Frame | null): Under {
       });
   };
   const take = async (image: Blob, name: string) => {
-    const size = await sizeOf(image, name);
+    const found = await readFrom(image, name);
     begin("rest");
-    if (typeof size === "string") setTold(size);
-    else if (view) change({ image, underlay: laidIn(view, ...size) });
+    if (typeof found === "string") setTold(found);
+    else if (view) {
+      const { width, height, unit, words, ...shown } = found;
+      change({ ...shown, underlay: laidIn(view, width, height, unit) });
+      setTold(words);
+    }
   };
   // From the clipboard, unless a field takes it.
   const newest = useRef(take);
@@ -103,6 +94,7 @@ export function useUnder(key: string | null, view: Frame | null): Under {
   }, []);
   return {
     ...{ url, mode, marks, told, take, begin },
+    path: kept?.path ?? null,
     own: kept?.underlay ?? null,
     set: (underlay) => {
       if (kept) change({ ...kept, underlay });

@@ -1,10 +1,10 @@
-// A picture below the drawing: where it lies, how large it is, and how it is moved and scaled.
+// A picture or a DXF plan below the drawing: where it lies, how large it is, and how it is moved and scaled.
 
 import { HEIGHT, toPlace, WIDTH, type Frame } from "../figure";
 import { far, type Point } from "../linkage";
 
 export interface Underlay {
-  // Of its lower left corner (m), and the size of one of its pixels (m).
+  // Of its lower left corner (m), and the size of one of its pixels, or of the unit of its file (m).
   left: number;
   bottom: number;
   pixel: number;
@@ -14,9 +14,9 @@ export interface Underlay {
   opacity: number;
 }
 
-// In the middle of what is in sight, four fifths of it.
-export function laidIn(view: Frame, width: number, height: number): Underlay {
-  const pixel = 0.8 * Math.min(WIDTH / view.scale / width, HEIGHT / view.scale / height),
+// In the middle of what is in sight: four fifths of it, or as large as its own unit (m) makes it.
+export function laidIn(view: Frame, width: number, height: number, unit: number | null = null): Underlay {
+  const pixel = unit ?? 0.8 * Math.min(WIDTH / view.scale / width, HEIGHT / view.scale / height),
     [x, y] = toPlace(view, [WIDTH / 2, HEIGHT / 2]);
   return { left: x - (pixel * width) / 2, bottom: y - (pixel * height) / 2, pixel, width, height, opacity: 0.5 };
 }
