@@ -31,6 +31,7 @@ ROCKER = ["scenarios/rocker/one_mass.json", "--set", "run.duration=0.05"]
 TEN = ["scenarios/rocker/ten_masses_closed.json", "--set", "run.duration=0.05"]
 CRANK = "scenarios/kinetostatics/slider_crank.json"
 TAPPET = "scenarios/cams/flat_tappet.json"
+WHEEL = ["scenarios/shafts/free_vibration.json", "--record", "scenarios/shafts/released_wheel.csv", "--match", "deflection=wheel.delta"]
 STIFFNESS = "rocker.stiffness=1e6:2e6:2"
 MORE = [
     ["law", "list"],
@@ -58,6 +59,8 @@ MORE = [
     ["tolerance", *ROCKER, "--tol", "rocker.inertia=±1 %", "--tol", "rocker.stiffness=+2 -1 %", "--samples", "64", "--limit", "rocker.delta_max <= 0.1 mrad", "--figures", "rocker.pair.separations"],
     ["tolerance", CRANK, "--tol", "mechanism.links.crank.points.A[0]=±0.1 mm", "--figures", "kinematics.mechanism.slide.stroke", "--samples", "0"],
     ["tolerance", "scenarios/limits/short_rod.json", "--set", "slide.position.slider_crank.crank=79.99 mm", "--tol", "slide.position.slider_crank.rod=±0.03 mm", "--limit", "slide.final.displacement <= 1 m", "--samples", "64"],
+    ["identify", *WHEEL, "--vary", "wheel.stiffness=5000:12000", "--vary", "wheel.damping_capacity=0:1", "--starts", "2"],
+    ["identify", *WHEEL, "--vary", "wheel.stiffness=5000:12000", "--vary", "wheel.inertia=0.01:0.03", "--starts", "2"],
     ["cam", TAPPET, "--lift-off"],
     ["cam", "scenarios/cams/yarn_traverse.json", "--cutter", "10 mm"],
     ["forces", CRANK, "--compare-massless", "1,10"],
@@ -384,6 +387,20 @@ MEANINGS: dict[str, str] = {
     "dam optimize/starts": "Each start, where it ended and why.",
     "dam optimize/subject": "Conditions.",
     "dam optimize/variables": "Variables and their ranges.",
+    "dam identify/answered": "True when the fit converged and the records determine all numbers.",
+    "dam identify/complete": "True when all starts came to their end.",
+    "dam identify/correlated": "Pairs of which the records determine mainly a combination.",
+    "dam identify/correlations": "Correlations of the estimates, row by row; empty if they are unknown.",
+    "dam identify/ending": "Why the best fit ended.",
+    "dam identify/estimates": "Numbers of the scene: estimate and standard error; null if the records do not determine it.",
+    "dam identify/evaluations": "Number of sets of values that were run.",
+    "dam identify/open_directions": "Changes, as shares of the values, that leave the fit as it is. The greatest is 1.",
+    "dam identify/remarks": "What is to be known of the fit.",
+    "dam identify/residual_sigma": "Standard deviation of a residual over that of its column; null if no fit ended.",
+    "dam identify/settings": "Estimates as settings of the scene; empty unless all are determined.",
+    "dam identify/signals": "Columns of the records with their residuals, and whether these are random.",
+    "dam identify/starts": "Each start, where it ended and why.",
+    "dam identify/starts_requested": "Number of starts that were requested.",
     "dam gradient/check": "Agreement of the derivatives with differences of runs; null if not checked.",
     "dam gradient/events": "Number of events of the motion.",
     "dam gradient/gradients": "Results with their derivatives by every parameter, what each is worth, and where it holds.",

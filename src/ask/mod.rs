@@ -14,6 +14,7 @@
 //! | [`optimize`](Scene::optimize) | which values of several variables are best under conditions | [`Optimization`](crate::studies::optimize::Optimization) |
 //! | [`gradient`](Scene::gradient) | how do results depend on its numbers | [`Gradient`](crate::studies::gradient::Gradient) |
 //! | [`tolerances`](Scene::tolerances) | what do tolerances of dimensions make of results | [`Tolerances`](crate::studies::tolerance::Tolerances) |
+//! | [`identify`](Scene::identify) | which numbers explain a record of its motion | [`Identification`](crate::studies::identify::Identification) |
 //! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
@@ -36,6 +37,7 @@ mod cam;
 mod ended;
 mod find;
 mod gradient;
+mod identify;
 mod law_comparison;
 mod laws;
 mod linear;
@@ -50,6 +52,7 @@ mod run;
 mod scene;
 mod synthesis;
 mod tolerance;
+mod variables;
 
 pub(crate) use cam::lift_off_speed;
 pub use cam::{CamQuestion, FoundCam};
@@ -57,6 +60,8 @@ pub use find::FindQuestion;
 pub(crate) use find::find;
 pub use gradient::GradientQuestion;
 pub(crate) use gradient::gradient;
+pub(crate) use identify::identify;
+pub use identify::{IdentifyQuestion, MeasuredRecord, USUAL_STARTS};
 pub(crate) use law_comparison::compare as compare_laws;
 pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;

@@ -1,8 +1,8 @@
 //! The best values of several variables under conditions.
 
 use super::gradient::figure_unit;
-use super::prepared::{PointSource, numbers};
-use super::{Mechanism, ModelAssessment};
+use super::prepared::PointSource;
+use super::variables::{own_values, ready, step, variables};
 use crate::Error;
 use crate::dynamics::builder::spec::Level;
 use crate::dynamics::model::Model;
@@ -10,12 +10,11 @@ use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Levels, OptimizeSpec, Reading, in_words};
 use crate::studies::condition::{Condition, Relation, counts};
-use crate::studies::exact::exact_parts;
 use crate::studies::find::{Aim, Goal, State, figures_of};
 use crate::studies::gradient::names;
 use crate::studies::optimize::{
-    AskedFigure, FinerCheck, MOST_STARTS, MOST_VARIABLES, Optimization, OptimizationTask, STARTS,
-    Variable, optimize as find_optimum,
+    AskedFigure, FinerCheck, MOST_STARTS, Optimization, OptimizationTask, STARTS, Variable,
+    optimize as find_optimum,
 };
 use crate::studies::prepared::{PointQuestion, Prepared, finest_levels};
 use crate::studies::rigid::Rigid;
@@ -24,12 +23,6 @@ use crate::studies::{Control, lookup};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
-
-/// Step of differences, as a share of the range, of results that are known to rounding.
-const STEP: f64 = 1e-4;
-
-/// Step of differences of results of an integrated run, at most.
-const LONGEST_STEP: f64 = 0.02;
 
 /// Share of its size by which a condition may be violated by a finer model.
 const FINER: f64 = 1e-4;
@@ -164,22 +157,6 @@ pub(crate) fn optimize(
     Ok(found)
 }
 
-/// The scene at some levels of the objects that leave theirs open.
-fn ready(mut reading: Reading, levels: &Levels, control: &Control<'_>) -> Result<Mechanism, Error> {
-    reading.scene.elastic().set(&mut reading.scene, levels);
-    Mechanism::of_within(reading, ModelAssessment::Never, control)
-}
-
-/// Step of central differences: by the digits to which runs are known.
-fn step(base: &Mechanism) -> f64 {
-    let model = base.model();
-    let is_rigid = model.objects.iter().all(|part| part.links.is_empty());
-    match is_rigid || exact_parts(&base.system).is_ok() {
-        true => STEP,
-        false => base.settings.tolerance.cbrt().clamp(STEP, LONGEST_STEP),
-    }
-}
-
 /// The question as the scene has it.
 struct Resolved {
     variables: Vec<Variable>,
@@ -199,23 +176,8 @@ impl Resolved {
         source: &PointSource<'_, '_>,
     ) -> Result<Self, Error> {
         let mut wrong: Vec<Diagnostic> = Vec::new();
+        let variables = variables(&question.vary, model, &mut wrong);
         let mut fault = |what: String| wrong.push(Diagnostic::error("question", what));
-        let mut variables = Vec::new();
-        for text in &question.vary {
-            match Variable::parse(text) {
-                Ok(mut variable) => {
-                    variable.unit = variable.parameter().display_unit(model);
-                    variables.push(variable);
-                }
-                Err(what) => fault(format!("--vary {what}")),
-            }
-        }
-        if question.vary.is_empty() || variables.len() > MOST_VARIABLES {
-            fault(format!(
-                "--vary: 1 to {MOST_VARIABLES} variables can be chosen, and {} are named",
-                question.vary.len()
-            ));
-        }
         if question.starts > MOST_STARTS {
             fault(format!(
                 "--starts {}: at most {MOST_STARTS} starts",
@@ -242,20 +204,10 @@ impl Resolved {
             None => Err("nothing is to be best: name it with --minimize or --maximize".to_owned()),
         };
         let goal = goal.map_err(&mut fault).ok();
-        let paths: Vec<&str> = variables.iter().map(|one| one.path.as_str()).collect();
-        let known = wrong.is_empty();
-        let own = match paths.is_empty() {
-            true => Vec::new(),
-            false => numbers(reading, &paths, &mut wrong),
-        };
-        if known && wrong.is_empty() {
-            wrong.extend(refused_values(&variables, source));
-        }
+        let own = own_values(&variables, (reading, source), &mut wrong);
         let (Some(goal), true) = (goal, wrong.is_empty()) else {
             return Err(Diagnostics::new(Sources::default(), wrong).into());
         };
-        let own = own.iter().zip(&variables);
-        let own = own.map(|(value, variable)| value / variable.size).collect();
         Ok(Self {
             figures: figures(&goal, &conditions, model),
             variables,
@@ -264,34 +216,6 @@ impl Resolved {
             own,
         })
     }
-}
-
-/// What is wrong with values within the ranges: units, numbers that count.
-fn refused_values(variables: &[Variable], source: &PointSource<'_, '_>) -> Vec<Diagnostic> {
-    let mut wrong = Vec::new();
-    for variable in variables {
-        // (Between the ends no number is whole by chance.)
-        let between = variable.low + 0.4321 * (variable.high - variable.low);
-        let Err(found) = source.decode(&[variable.parameter().setting(between)]) else {
-            continue;
-        };
-        for fault in found.items {
-            let counts = fault.message.contains("whole number");
-            if counts || fault.code.contains("unit") || fault.code.contains("dimension") {
-                let path = &variable.path;
-                let message = match counts {
-                    true => format!("--vary {path}: it counts, and has no slopes"),
-                    false => format!("--vary {path}: {}", fault.message),
-                };
-                let own = Diagnostic::error("question", message);
-                wrong.push(match counts {
-                    true => own.hint(format!("compare its values: dam compare --over {path}=…")),
-                    false => fault.hints.into_iter().fold(own, Diagnostic::hint),
-                });
-            }
-        }
-    }
-    wrong
 }
 
 /// A condition; of working order that on the least contact force.

@@ -2,8 +2,8 @@
 
 use super::optimize::optimize;
 use super::{
-    FindQuestion, GradientQuestion, Mechanism, ModelAssessment, OptimizeQuestion, PointSource,
-    PreparedScene, ToleranceQuestion,
+    FindQuestion, GradientQuestion, IdentifyQuestion, Mechanism, ModelAssessment, OptimizeQuestion,
+    PointSource, PreparedScene, ToleranceQuestion,
 };
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
@@ -18,6 +18,7 @@ use crate::studies::expectations::Requirement;
 use crate::studies::find::FoundValue;
 use crate::studies::forces::ForceStudy;
 use crate::studies::gradient::Gradient;
+use crate::studies::identify::Identification;
 use crate::studies::kinematics::{Kinematics, Question};
 use crate::studies::optimize::Optimization;
 use crate::studies::run::RunResult;
@@ -490,6 +491,46 @@ impl Scene {
         };
         let source = self.point_source()?;
         super::tolerance::tolerance(question, &source, &prepare, control, &|_, _| {})
+    }
+
+    /// Numbers of the scene from records of its motion, by least squares.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// use dam::ask::{IdentifyQuestion, MeasuredRecord};
+    /// use dam::studies::Control;
+    ///
+    /// let scene = Scene::read("scenarios/rocker/one_mass.json")?.set("run.duration", 0.02);
+    /// let run = scene.run()?;
+    /// let delta = run.delta("rocker")?;
+    /// let rows = run.times().iter().zip(delta).map(|(t, x)| format!("{t:?},{x:?}"));
+    /// let question = IdentifyQuestion {
+    ///     records: vec![MeasuredRecord {
+    ///         name: "test".to_owned(),
+    ///         text: format!("t [s],x [rad]\n{}", rows.collect::<Vec<_>>().join("\n")),
+    ///         settings: Vec::new(),
+    ///     }],
+    ///     signals: vec!["x=rocker.delta".to_owned()],
+    ///     vary: vec!["rocker.inertia=0.05:0.3".to_owned()],
+    ///     starts: 1,
+    ///     ..IdentifyQuestion::default()
+    /// };
+    /// let found = scene.identify(&question, &Control::default())?;
+    /// let (inertia, error) = found.estimates[0].value().expect("determined");
+    /// assert!((inertia - 0.1).abs() < 1e-8 && error < 1e-8);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The scene is wrong, or can be run at no start; a record cannot be read; there is no such
+    /// number, column or signal; there are no more values than numbers; `control` was spent before
+    /// anything was known.
+    pub fn identify(
+        &self,
+        question: &IdentifyQuestion,
+        control: &Control<'_>,
+    ) -> Result<Identification, Error> {
+        super::identify::identify(question, &self.point_source()?, control, &|_| {})
     }
 
     /// Judges everything that the scene expects, in its order, by the run and the studies that

@@ -5,6 +5,7 @@ mod course;
 mod find;
 mod forces;
 mod gradient;
+mod identify;
 mod kinematics;
 mod linear;
 mod methods;
@@ -19,6 +20,7 @@ pub(crate) use course::CourseArgs;
 pub(crate) use find::{FindArgs, goal};
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use gradient::GradientArgs;
+pub(crate) use identify::{IdentifyArgs, RecordEnd};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use linear::{LineariseArgs, OrdersArgs, ResponseArgs};
 pub(crate) use methods::MethodsArgs;
@@ -87,6 +89,8 @@ pub(crate) enum Command {
     Optimize(OptimizeArgs),
     /// What tolerances of dimensions make of results: stack, samples, the share that meets limits
     Tolerance(ToleranceArgs),
+    /// Numbers of a scene from records of its motion, by least squares
+    Identify(IdentifyArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -136,6 +140,7 @@ impl Command {
             | Self::Gradient(GradientArgs { scene, .. })
             | Self::Optimize(OptimizeArgs { scene, .. })
             | Self::Tolerance(ToleranceArgs { scene, .. })
+            | Self::Identify(IdentifyArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Linearise(LineariseArgs { scene, .. })
             | Self::Response(ResponseArgs { scene, .. })

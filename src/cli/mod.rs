@@ -22,6 +22,7 @@ mod failure;
 mod find;
 mod forces;
 mod gradient;
+mod identify;
 mod input;
 mod interrupt;
 mod journal;
@@ -97,6 +98,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Gradient(args) => gradient::command(args),
         Command::Optimize(args) => optimize::command(args),
         Command::Tolerance(args) => tolerance::command(args, &Terminal),
+        Command::Identify(args) => identify::command(args),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Linearise(args) => linearise::command(args, &Terminal),

@@ -12,7 +12,8 @@
 //! * [`map`]: maps over parameters; [`methods`]: methods compared.
 //! * [`findings`]: what a study found, as data, with one exporter each for text and page;
 //!   [`csv`]: tables for other programs.
-//! * [`find`]: the best value of a parameter; [`tolerance`]: what tolerances make of results.
+//! * [`find`]: the best value of a parameter; [`tolerance`]: what tolerances make of results;
+//!   [`identify`]: numbers of a scene from records.
 //! * [`fitted`]: texts in the width of a terminal.
 //! * [`law`]: laws of motion and synthesised strokes.
 //! * [`steady`]: the steady motion of a machine.
@@ -40,6 +41,7 @@ mod fixture;
 pub mod forces;
 pub mod gradient;
 pub mod html;
+pub mod identify;
 pub mod kinematics;
 pub mod law;
 pub mod linear;

@@ -21,6 +21,7 @@ pub mod expectations;
 pub mod find;
 pub mod forces;
 pub mod gradient;
+pub mod identify;
 pub mod judgement;
 pub mod kinematics;
 pub mod law;

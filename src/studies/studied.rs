@@ -205,7 +205,7 @@ pub fn wrong_units(measured: &[MeasuredValue], model: &Model) -> Vec<Fault> {
 }
 
 /// The quantity that is measured in an SI unit; empty of plain numbers.
-pub(super) fn quantity_of(unit: &str) -> Quantity {
+pub(crate) fn quantity_of(unit: &str) -> Quantity {
     let dimension = match unit {
         "" | "1" => NUMBER.dimension,
         unit => parse(&format!("1 {unit}")).map_or(NUMBER.dimension, |one| one.dimension),

@@ -12,6 +12,7 @@ mod documents;
 mod find;
 mod first_times;
 mod forces_at;
+mod identify;
 mod imports;
 mod kept;
 mod labels;

@@ -176,6 +176,18 @@ const BASES: &[(&str, &[&str])] = &[
             "16",
         ],
     ),
+    (
+        "identify",
+        &[
+            "scenarios/shafts/free_vibration.json",
+            "--record",
+            "scenarios/shafts/released_wheel.csv",
+            "--match",
+            "deflection=wheel.delta",
+            "--vary",
+            "wheel.stiffness=5000:12000",
+        ],
+    ),
     ("verify", &[ROCKER]),
     ("reduce", &[CLOSED, "--set", "run.duration=0.1"]),
     (

@@ -102,7 +102,23 @@ const FIVE_BAR: [&str; 6] = [
 ];
 
 /// Commands that write a page: arguments, least number of charts, whether something moves.
-const PAGES: [(&[&str], usize, bool); 18] = [
+const PAGES: [(&[&str], usize, bool); 19] = [
+    (
+        &[
+            "identify",
+            "scenarios/shafts/free_vibration.json",
+            "--record",
+            "scenarios/shafts/released_wheel.csv",
+            "--match",
+            "deflection=wheel.delta",
+            "--vary",
+            "wheel.stiffness=5000:12000",
+            "--vary",
+            "wheel.damping_capacity=0:1",
+        ],
+        2,
+        false,
+    ),
     (
         &[
             "optimize",

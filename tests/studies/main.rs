@@ -3,6 +3,7 @@
 mod cam;
 mod contact_force;
 mod gradient;
+mod identify;
 mod law;
 mod map;
 mod map_order;

@@ -5,6 +5,10 @@
 //! a semicolon or a comma, whichever the header has first in this order. Beside a comma as
 //! separator no number has a decimal comma.
 
+mod record;
+
+pub use record::TimeTable;
+
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;

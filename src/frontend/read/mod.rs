@@ -33,7 +33,7 @@ mod tree;
 mod wanted;
 
 pub use bounds::Bounds;
-pub use csv::{Files, MOST_BYTES, TableFile, file_names, no_folder, put_in};
+pub use csv::{Files, MOST_BYTES, TableFile, TimeTable, file_names, no_folder, put_in};
 pub use fields::Fields;
 pub(crate) use number::UnitFault;
 pub use one_of::OneOf;

@@ -97,7 +97,7 @@ impl Variable {
     }
 
     /// The value at a share of the range.
-    pub(super) fn value(&self, share: f64) -> f64 {
+    pub(crate) fn value(&self, share: f64) -> f64 {
         match (share, self.log) {
             (0.0, _) => self.low,
             (1.0, _) => self.high,
@@ -107,7 +107,7 @@ impl Variable {
     }
 
     /// The share of the range of a value; `None`: it lies outside.
-    pub(super) fn share(&self, value: f64) -> Option<f64> {
+    pub(crate) fn share(&self, value: f64) -> Option<f64> {
         let share = match self.log {
             true => (value / self.low).ln() / (self.high / self.low).ln(),
             false => (value - self.low) / (self.high - self.low),
@@ -118,7 +118,7 @@ impl Variable {
     }
 
     /// Slope of the value over the share.
-    pub(super) fn slope(&self, share: f64) -> f64 {
+    pub(crate) fn slope(&self, share: f64) -> f64 {
         match self.log {
             true => self.value(share) * (self.high / self.low).ln(),
             false => self.high - self.low,
