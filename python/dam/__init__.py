@@ -9,7 +9,7 @@ it and answers.
 
 `Scene` describes, and answers `show`, `run`, `map`, `compare`, `prepare`, `methods`, `kinematics`,
 `forces`, `steady`, `linearise`, `response`, `orders`, `cam`, `law`, `compare_laws`, `find`,
-`optimize`, `gradient`, `tolerance`, `verify`, `reduce`; `law` and `stroke` ask of laws of motion by themselves.
+`optimize`, `gradient`, `tolerance`, `identify`, `verify`, `reduce`; `law` and `stroke` ask of laws of motion by themselves.
 `dam.kinds` has everything that a scene holds as classes, `dam.own` takes Python functions into it.
 """
 

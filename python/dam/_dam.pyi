@@ -279,5 +279,16 @@ class Scene:
         threads: int | None,
         terms: _Terms,
     ) -> tuple[Answer, bool]: ...
+    def identify(
+        self,
+        records: Sequence[tuple[str, str, list[str]]],
+        signals: Sequence[str],
+        vary: Sequence[str],
+        sigmas: Sequence[str],
+        starts: int,
+        until_first_separation: bool,
+        threads: int | None,
+        terms: _Terms,
+    ) -> tuple[Answer, bool, str | None]: ...
     def verify(self, terms: _Terms) -> tuple[Answer, bool, str]: ...
     def reduce(self, terms: _Terms) -> tuple[Answer, Scene, bool]: ...

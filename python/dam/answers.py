@@ -29,6 +29,7 @@ __all__ = [
     "FoundValue",
     "FrequencyResponse",
     "Gradient",
+    "Identification",
     "Json",
     "Kinematics",
     "Law",
@@ -784,6 +785,29 @@ class Optimum(_Answered):
     @property
     def scene_text(self) -> str | None:
         """The scene with the best values as JSON text, for `dam.loads`."""
+        return self._text
+
+
+class Identification(_Answered):
+    """Numbers of a scene from records of its motion; `record` has the records beside their fit."""
+
+    def __init__(self, answer: _dam.Answer, answered: bool, text: str | None) -> None:
+        super().__init__(answer, answered)
+        self._text = text
+
+    @property
+    def estimates(self) -> dict[str, tuple[float, float] | None]:
+        """Each number with its standard error, in the unit of its range, by its address; `None`:
+        the records do not determine it."""
+        rows = cast("list[dict[str, Any]]", self.document["estimates"])
+        return {
+            row["path"]: None if row["value"] is None else (row["value"], row["standard_error"])
+            for row in rows
+        }
+
+    @property
+    def scene_text(self) -> str | None:
+        """The scene with the estimates as JSON; `None`: not all are determined."""
         return self._text
 
 

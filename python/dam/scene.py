@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Literal, Protocol, Union
+from typing import TYPE_CHECKING, Literal, Protocol, Union, cast
 
 from dam import _dam, answers
 from dam._tree import Own, Quantity, Tree, Value
@@ -75,6 +75,31 @@ def _terms(
     progress: Progress | None, time_limit: float | None
 ) -> tuple[Callable[[float], object] | None, float | None]:
     return (_told(progress), time_limit)
+
+
+Measured = Union[
+    str,
+    os.PathLike[str],
+    Mapping[str, Sequence[float]],
+    tuple[Union[str, os.PathLike[str], Mapping[str, Sequence[float]]], Mapping[str, Quantity]],
+]
+"""A record: a file of CSV, or columns by their names with units; with settings of its own."""
+
+
+def _measured(record: Measured, place: int) -> tuple[str, str, list[str]]:
+    """Name, text and settings of a record."""
+    settings: Mapping[str, Quantity] = {}
+    if isinstance(record, tuple):
+        record, settings = record
+    said = [f"{path}={value}" for path, value in settings.items()]
+    if isinstance(record, Mapping):
+        columns = [[float(value) for value in column] for column in record.values()]
+        if len({len(column) for column in columns}) > 1:
+            raise ValueError("the columns of a record are equally long")
+        rows = [",".join(record), *(",".join(map(repr, row)) for row in zip(*columns))]
+        return f"record {place}", "\n".join(rows) + "\n", said
+    with open(record, encoding="utf-8") as file:
+        return os.fspath(record), file.read(), said
 
 
 class Scene:
@@ -660,6 +685,58 @@ class Scene:
             written, named, conditions, samples, seed, threads, _terms(progress, time_limit)
         )
         return answers.Tolerances(*found)
+
+    def identify(
+        self,
+        records: Measured | Sequence[Measured],
+        signals: Mapping[str, str],
+        vary: str | Sequence[str],
+        *,
+        sigma: Mapping[str, Quantity] | None = None,
+        starts: int = 8,
+        until_first_separation: bool = False,
+        threads: int | None = None,
+        progress: Progress | None = None,
+        time_limit: float | None = None,
+    ) -> answers.Identification:
+        """Numbers of the scene from records of its motion, by least squares, with their standard
+        errors.
+
+        Parameters
+        ----------
+        records
+            Files of CSV whose headers name columns and units, or such columns themselves,
+            `{"t [ms]": times, "x [mrad]": values}`; the first is the time from the start of the
+            run. With the settings of its own test behind it: `("test.csv", {"shaft.motion.speed":
+            "300 rpm"})`.
+        signals
+            Columns and what they measure: `{"x": "rocker.delta"}`.
+        vary
+            Numbers that are sought, and their ranges: `"rocker.stiffness=5:20 MN m/rad"`; with
+            `:6` behind it the value of the first start, with `:log` equal ratios.
+        sigma
+            Standard deviations of columns, to weigh several against each other.
+        starts
+            The first at the values of the scene, the others evenly in the ranges.
+        until_first_separation
+            Whether rows after the first separation of a contact, in the scene as it is, are left
+            out.
+        """
+        several = isinstance(records, list) or (
+            isinstance(records, tuple) and not (len(records) == 2 and isinstance(records[1], Mapping))
+        )
+        listed = cast("Sequence[Measured]", records) if several else [cast("Measured", records)]
+        found, answered, text = self._core.identify(
+            [_measured(record, place) for place, record in enumerate(listed, 1)],
+            [f"{column}={signal}" for column, signal in signals.items()],
+            [vary] if isinstance(vary, str) else list(vary),
+            [f"{column}={value}" for column, value in (sigma or {}).items()],
+            starts,
+            until_first_separation,
+            threads,
+            _terms(progress, time_limit),
+        )
+        return answers.Identification(found, answered, text)
 
     def verify(
         self, *, progress: Progress | None = None, time_limit: float | None = None

@@ -5,14 +5,14 @@ use crate::fault;
 use crate::prepared::{Prepared, prepare};
 use crate::studies::linkages::LinkageCourse;
 use crate::studies::{
-    cam, compare, find, gradient, law, linear, linkages, map, methods, optimize, reduce, run, show,
-    steady, tolerance,
+    cam, compare, find, gradient, identify, law, linear, linkages, map, methods, optimize, reduce,
+    run, show, steady, tolerance,
 };
 use crate::tree::node;
 use crate::work::{Terms, compute, compute_here, directly};
 use dam::ask::{
-    CamQuestion, FindQuestion, GradientQuestion, ModelAssessment, OptimizeQuestion, StrokeQuestion,
-    ToleranceQuestion,
+    CamQuestion, FindQuestion, GradientQuestion, IdentifyQuestion, MeasuredRecord, ModelAssessment,
+    OptimizeQuestion, StrokeQuestion, ToleranceQuestion,
 };
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::linkage::kinetostatics::Convention;

@@ -392,3 +392,30 @@ def test_the_softest_spring_is_held_by_both_forces(scenarios: Path) -> None:
         scene.optimize(f"{spring}.rate=0:5000")
     with pytest.raises(dam.SceneError, match="LOW:HIGH"):
         scene.optimize(f"{spring}.rate=5000:0", minimize=f"{spring}.rate")
+
+
+def test_numbers_come_back_from_a_record(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "rocker" / "one_mass.json").set("run.duration", 0.02)
+    record = scene.run().record
+    columns = {"t [s]": record["time"].tolist(), "x [rad]": record["rocker.delta"].tolist()}
+    found = scene.identify(columns, {"x": "rocker.delta"}, "rocker.inertia=0.05:0.3", starts=2)
+    estimate = found.estimates["rocker.inertia"]
+    assert found.answered and estimate is not None
+    assert estimate[0] == pytest.approx(0.1, rel=1e-8) and estimate[1] < 1e-8
+    assert found.scene_text is not None and len(found.record) == len(record)
+    with_settings = scene.identify(
+        [(columns, {"rocker.masses": 1})], {"x": "rocker.delta"}, "rocker.inertia=0.05:0.3", starts=1
+    )
+    assert with_settings.estimates["rocker.inertia"] == pytest.approx(estimate, rel=1e-6, abs=1e-9)
+    wheel = dam.load(scenarios / "shafts" / "free_vibration.json")
+    both = wheel.identify(
+        scenarios / "shafts" / "released_wheel.csv",
+        {"deflection": "wheel.delta"},
+        ["wheel.stiffness=5000:12000", "wheel.inertia=0.01:0.03"],
+        starts=2,
+    )
+    assert not both.answered and set(both.estimates.values()) == {None}
+    with pytest.raises(ValueError, match="equally long"):
+        scene.identify({"t [s]": [0.0], "x [rad]": []}, {"x": "rocker.delta"}, "rocker.inertia=0:1")
+    with pytest.raises(dam.SceneError, match="no column"):
+        scene.identify(columns, {"y": "rocker.delta"}, "rocker.inertia=0.05:0.3")

@@ -4,6 +4,7 @@ pub(crate) mod cam;
 pub(crate) mod compare;
 pub(crate) mod find;
 pub(crate) mod gradient;
+pub(crate) mod identify;
 pub(crate) mod law;
 pub(crate) mod linear;
 pub(crate) mod linkages;

@@ -38,7 +38,10 @@ impl Grid {
                 pair[0], pair[1]
             ));
         }
-        if times[0] < 0.0 || last <= 0.0 || !last.is_finite() {
+        if last == 0.0 {
+            return Err("it has no row after the start of the run".to_owned());
+        }
+        if times[0] < 0.0 || last < 0.0 || !last.is_finite() {
             return Err("its times begin at 0 or later: a run has no others".to_owned());
         }
         let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
