@@ -692,6 +692,47 @@ impl Scene {
         Ok((Answer::with_columns(found, columns), answered))
     }
 
+    /// `records`: name, CSV text and settings of each.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what an identification is asked by; the stub names them"
+    )]
+    fn identify(
+        &self,
+        py: Python<'_>,
+        records: Vec<(String, String, Vec<String>)>,
+        signals: Vec<String>,
+        vary: Vec<String>,
+        sigmas: Vec<String>,
+        starts: usize,
+        until_first_separation: bool,
+        threads: Option<usize>,
+        terms: Terms,
+    ) -> PyResult<(Answer, bool, Option<String>)> {
+        sound_threads(threads)?;
+        let record = |(name, text, settings)| MeasuredRecord {
+            name,
+            text,
+            settings,
+        };
+        let question = IdentifyQuestion {
+            records: records.into_iter().map(record).collect(),
+            signals,
+            vary,
+            sigmas,
+            starts,
+            until_first_separation,
+            threads,
+        };
+        let scene = self.asked();
+        let found = compute(py, &terms, move |watch| {
+            identify::ask(scene, &question, watch)
+        })?;
+        let (columns, answered) = (found.columns(), found.is_answered());
+        let text = found.scene_text();
+        Ok((Answer::with_columns(found, columns), answered, text))
+    }
+
     fn verify(&self, py: Python<'_>, terms: Terms) -> PyResult<(Answer, bool, String)> {
         let scene = self.asked();
         let found = compute(py, &terms, move |watch| find::verify(&scene, watch))?;

@@ -319,6 +319,8 @@ const VALUES: &[(&str, &[&str])] = &[
     ("--positions", &["11"]),
     ("--svg", &["15 deg"]),
     ("--load", &["slide=100 N"]),
+    ("--match", &["no_such_column=wheel.delta"]),
+    ("--sigma", &["deflection=1 mrad"]),
     ("--record", &["no_such_file.csv"]),
     ("--compare-massless", &["1,10"]),
     ("--pressure-angle", &["10 deg"]),

@@ -122,11 +122,9 @@ pub(super) fn tests(
     for ((record, mut table), mut own) in question.records.iter().zip(tables).zip(grids) {
         if question.until_first_separation {
             let first = first_separation((record, &own), levels, (source, control))?;
-            if let Some(remark) = cut(record, &mut table, first) {
-                found.remarks.push(remark);
-                let fault = |one| Error::from(Diagnostics::new(Sources::default(), vec![one]));
-                own = grid(record, &table.times).map_err(fault)?;
-            }
+            found.remarks.push(cut(record, &mut table, first));
+            let fault = |one| Error::from(Diagnostics::new(Sources::default(), vec![one]));
+            own = grid(record, &table.times).map_err(fault)?;
         }
         if !own.even {
             found.remarks.push(format!(
@@ -192,18 +190,21 @@ fn first_separation(
 }
 
 /// Leaves out the rows from a time on; what is to be known of it.
-fn cut(record: &MeasuredRecord, table: &mut TimeTable, first: f64) -> Option<String> {
+fn cut(record: &MeasuredRecord, table: &mut TimeTable, first: f64) -> String {
     let left = table.times.partition_point(|time| *time < first);
     if left == table.times.len() {
-        return None;
+        return format!(
+            "no contact separates before the end of the record `{}`: all its rows are used",
+            record.name
+        );
     }
     table.times.truncate(left);
     for values in &mut table.columns {
         values.truncate(left);
     }
-    Some(format!(
+    format!(
         "rows of the record `{}` from the first separation on, at {} s, are left out",
         record.name,
         shown(first, DIGITS)
-    ))
+    )
 }
