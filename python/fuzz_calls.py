@@ -76,6 +76,9 @@ CAM = """{"dam": 1, "name": "Cam", "run": {"duration": 0.02}, "objects": {
         "pair": {"closure": "force"}, "loads": {"spring": {"spring": {"rate": 2e4, "preload": 300}}},
         "cam": {"base_radius": "30 mm", "contact": {"roller": "8 mm"}}}}}"""
 
+#: A record of the table.
+RECORD = {"t [s]": [0.0, 0.01, 0.02], "x [m]": [0.0, 1e-5, 2e-5]}
+
 #: Valid arguments by the names of parameters; a function's own ones as `function.name`.
 VALID: dict[str, list[object]] = {
     "address": ["table.masses", "table.inertia"],
@@ -97,6 +100,46 @@ VALID: dict[str, list[object]] = {
     "digits": [3],
     "threads": [1, 2],
     "progress": [None, lambda share: None],
+    "time_limit": [None, 60.0],
+    "terms": [(None, None), (lambda share: None, 60.0)],
+    "spread": [False, True],
+    "view": ["all", "graph"],
+    "form": ["text"],
+    "course": [
+        {
+            "object": None,
+            "over": None,
+            "from_to": None,
+            "positions": 4,
+            "speed": 10.0,
+            "acceleration": None,
+            "inputs": [],
+        }
+    ],
+    "load": [None],
+    "load_positive": [False],
+    "convention": ["paper", "load_positive"],
+    "frictionless": [False, True],
+    "direction": [None],
+    "optimize": [None],
+    "find.vary": ["table.inertia=2:4:3"],
+    "vary": [["table.inertia=2:4"]],
+    "subject": [["table.delta_max <= 1 m"]],
+    "maximize": ["table.inertia"],
+    "minimize": [None],
+    "starts": [1, 2],
+    "by": [["table.inertia"]],
+    "gradient.figures": [["table.delta_max"]],
+    "tolerance.tolerances": [["table.inertia=±1 %"]],
+    "tolerance.figures": [["table.delta_max"]],
+    "limits": [[]],
+    "tolerance.samples": [0, 8],
+    "seed": [1],
+    "identify.records": [RECORD],
+    "identify.signals": [{"x": "table.delta"}],
+    "sigma": [None],
+    "sigmas": [[]],
+    "until_first_separation": [False],
     "accuracy": [None, 1e-3],
     "methods": [["exact"], ["dop853"]],
     "tolerances": [[1e-3]],
@@ -215,7 +258,7 @@ def hostile(chance: random.Random) -> object:
 
 
 #: Which scene of those below a study suits; another is asked too, and refuses.
-SUITED = {"cam": "Cam", "law": "Cam", "kinematics": "Linkage", "forces": "Linkage",
+SUITED = {"find": "Small", "optimize": "Small", "gradient": "Small", "tolerance": "Small", "identify": "Small", "cam": "Cam", "law": "Cam", "kinematics": "Linkage", "forces": "Linkage",
           "steady": "Steady", "compare": "Small", "map": "Small", "map_plan": "Small", "map_cells": "Small", "methods": "Small"}  # fmt: skip
 
 SCENARIOS = Path(__file__).resolve().parents[1] / "scenarios"
@@ -256,7 +299,8 @@ def targets(objects: list[object], scenes: dict[str, str]) -> list[Target]:
                 "__getitem__", "__len__", "__iter__", "__repr__", "_repr_html_",
                 "__arrow_c_stream__", "__reduce__", "__contains__", "__array_interface__",
             )  # fmt: skip
-            if not public or name == "save":
+            # (What writes files would write over the scenes.)
+            if not public or name in ("save", "to_parquet", "to_netcdf"):
                 continue
             scene = getattr(thing, "json", None)
             if isinstance(scene, str) and name in SUITED:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Union, cast
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypedDict, Union, cast
 
 from dam import _dam
 
 if TYPE_CHECKING:
     import os
 
+    import control
     import numpy
     import numpy.typing
     import pandas
@@ -215,7 +216,7 @@ class Record:
 
     def __array__(
         self, dtype: numpy.typing.DTypeLike | None = None, copy: bool | None = None
-    ) -> numpy.typing.NDArray[Any]:
+    ) -> numpy.typing.NDArray[numpy.generic]:
         """All columns beside each other, for `numpy.asarray(record)`: rows by columns."""
         if copy is False:
             raise ValueError("the columns of a record are beside each other only in a copy")
@@ -441,11 +442,18 @@ class Run(Answer):
         spread = self.document.get("spread")
         if not isinstance(spread, dict):
             return None
-        rows = cast("list[dict[str, Any]]", spread["figures"])
+        rows = cast("list[_SpreadRow]", spread["figures"])
         return {
             row["figure"]: FigureSpread(row["by_loads"], row["by_tolerance"], row["determined"])
             for row in rows
         }
+
+
+class _SpreadRow(TypedDict):
+    figure: str
+    by_loads: float | None
+    by_tolerance: float | None
+    determined: bool
 
 
 class FigureSpread(NamedTuple):
@@ -641,7 +649,7 @@ class Linearisation(Answer):
         signals = cast("list[dict[str, str]]", self.document[of])
         return [signal["name"] for signal in signals]
 
-    def to_control(self) -> Any:
+    def to_control(self) -> control.StateSpace:
         """The state space of python-control, `control.ss(A, B, C, D)`.
 
         Names have underscores in place of dots, which python-control does not take. A law is
@@ -652,12 +660,13 @@ class Linearisation(Answer):
             [name.replace(".", "_") for name in self.names(of)]
             for of in ("states", "inputs", "outputs")
         ]
-        return control.ss(
+        space: control.StateSpace = control.ss(
             *(self.matrix(name) for name in "ABCD"),
             states=labels[0],
             inputs=labels[1],
             outputs=labels[2],
         )
+        return space
 
 
 class FrequencyResponse(Answer):
@@ -799,16 +808,23 @@ class Identification(_Answered):
     def estimates(self) -> dict[str, tuple[float, float] | None]:
         """Each number with its standard error, in the unit of its range, by its address; `None`:
         the records do not determine it."""
-        rows = cast("list[dict[str, Any]]", self.document["estimates"])
-        return {
-            row["path"]: None if row["value"] is None else (row["value"], row["standard_error"])
-            for row in rows
-        }
+        rows = cast("list[_EstimateRow]", self.document["estimates"])
+        found: dict[str, tuple[float, float] | None] = {}
+        for row in rows:
+            value, error = row["value"], row["standard_error"]
+            found[row["path"]] = None if value is None or error is None else (value, error)
+        return found
 
     @property
     def scene_text(self) -> str | None:
         """The scene with the estimates as JSON; `None`: not all are determined."""
         return self._text
+
+
+class _EstimateRow(TypedDict):
+    path: str
+    value: float | None
+    standard_error: float | None
 
 
 class Gradient(_Answered):
