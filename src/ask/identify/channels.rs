@@ -40,7 +40,7 @@ pub(super) fn channels(
                 wrong.push(fault(message).hint("a column measures one signal"));
             }
             Ok(one) => found.push(one),
-            Err(fault) => wrong.push(fault),
+            Err(fault) => wrong.push(*fault),
         }
     }
     let mut stated: Vec<String> = Vec::new();
@@ -66,10 +66,11 @@ fn fault(what: impl Into<String>) -> Diagnostic {
     Diagnostic::error("question", what)
 }
 
-fn channel(text: &str, known: &[(String, &'static str)]) -> Result<Channel, Diagnostic> {
+fn channel(text: &str, known: &[(String, &'static str)]) -> Result<Channel, Box<Diagnostic>> {
     let Some((column, address)) = text.split_once('=') else {
         let hint = "write COLUMN=SIGNAL, for example x=rocker.delta";
-        return Err(fault(format!("--match `{text}`: no `=`")).hint(hint));
+        let fault = fault(format!("--match `{text}`: no `=`")).hint(hint);
+        return Err(Box::new(fault));
     };
     let (column, address) = (column.trim().to_owned(), address.trim().to_owned());
     let Some((_, unit)) = known.iter().find(|(name, _)| *name == address) else {
@@ -80,7 +81,7 @@ fn channel(text: &str, known: &[(String, &'static str)]) -> Result<Channel, Diag
             "unknown-name",
             format!("--match: there is no signal `{address}`"),
         );
-        return Err(fault.hint(hint.unwrap_or_else(all)));
+        return Err(Box::new(fault.hint(hint.unwrap_or_else(all))));
     };
     Ok(Channel {
         column,

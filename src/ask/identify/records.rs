@@ -113,7 +113,7 @@ pub(super) fn tests(
     for (record, table) in question.records.iter().zip(&tables) {
         match grid(record, &table.times) {
             Ok(grid) => grids.push(grid),
-            Err(fault) => wrong.push(fault),
+            Err(fault) => wrong.push(*fault),
         }
     }
     if !wrong.is_empty() {
@@ -123,7 +123,7 @@ pub(super) fn tests(
         if question.until_first_separation {
             let first = first_separation((record, &own), levels, (source, control))?;
             found.remarks.push(cut(record, &mut table, first));
-            let fault = |one| Error::from(Diagnostics::new(Sources::default(), vec![one]));
+            let fault = |one: Box<Diagnostic>| Diagnostics::new(Sources::default(), vec![*one]);
             own = grid(record, &table.times).map_err(fault)?;
         }
         if !own.even {
@@ -141,9 +141,10 @@ pub(super) fn tests(
     Ok(found)
 }
 
-fn grid(record: &MeasuredRecord, times: &[f64]) -> Result<Grid, Diagnostic> {
+fn grid(record: &MeasuredRecord, times: &[f64]) -> Result<Grid, Box<Diagnostic>> {
     Grid::of(times).map_err(|what| {
-        Diagnostic::error("question", format!("the record `{}`: {what}", record.name))
+        let message = format!("the record `{}`: {what}", record.name);
+        Box::new(Diagnostic::error("question", message))
     })
 }
 
@@ -184,7 +185,7 @@ fn first_separation(
     let reading = source.decode(&settings(record, grid))?;
     let ready = ready(reading, levels, control)?;
     let found = run(&ready.system, &ready.settings, control, &mut []);
-    let found = found.map_err(|faults| Error::from(ready.diagnose(&faults)))?;
+    let found = found.map_err(|faults| ready.diagnose(&faults))?;
     let starts = found.record.separations.iter().map(|one| one.from);
     Ok(starts.fold(f64::INFINITY, f64::min))
 }

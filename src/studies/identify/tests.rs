@@ -76,8 +76,8 @@ fn assert_close(found: f64, wanted: f64, within: f64) {
 fn a_free_decay_is_that_of_the_reference() {
     let (found, at) = fit_in(&RANGES, &[9e6, 0.2], &residuals).unwrap();
     assert_eq!(found.ending, Ending::Converged);
-    assert_close(at[0], 10000177.4147874995, 1e-10);
-    assert_close(at[1], 0.400086167145674286, 1e-8);
+    assert_close(at[0], 10_000_177.414_787_5, 1e-10);
+    assert_close(at[1], 0.400_086_167_145_674_3, 1e-8);
     let certainty = Certainty::of(&found, size(), PRECISION).unwrap();
     let error = |at: usize| certainty.errors[at].unwrap() * (RANGES[at][1] - RANGES[at][0]);
     assert_close(error(0), 146.0661925, 1e-7);
