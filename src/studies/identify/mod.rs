@@ -1,7 +1,7 @@
 //! Numbers of a scene from records of its motion.
 //!
 //! The residuals are differences of the signals of a run from those of a record, over a stated
-//! standard deviation. Their squares are made least between bounds ([`fit`]), from several starts:
+//! standard deviation. Their squares are made least between bounds (`fit`), from several starts:
 //! contacts that open make several least values. The derivatives are differences of runs of order
 //! 4. Standard errors and correlations follow from s²(JᵀJ)⁻¹ ([`Certainty`]). Runs of equal signs
 //! show whether the residuals are random ([`RunsTest`]).
