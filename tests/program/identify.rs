@@ -198,7 +198,7 @@ fn records_that_are_wrong_are_refused_with_their_place() {
             &["not later than the one before", "bad.csv:4"],
         ),
         ("t [s],x [rad]\n-1,1\n1,1\n", &["below 0", "bad.csv:2"]),
-        ("t [s],x [rad]\n0,1\n", &["begin at 0 or later"]),
+        ("t [s],x [rad]\n0,1\n", &["no row after the start"]),
         (
             "t [s],x [rad]\n1e-3,1\n2e-3,1\n",
             &["have 2 values in all", "more rows"],
