@@ -28,6 +28,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+RECORD = str(ROOT / "scenarios/shafts/released_wheel.csv")
 SECONDS = 5
 MEMORY = 1 << 30
 FACTORS = [0, -1, 1e-300, 1e-30, 1e-9, 1e-3, 0.5, 0.9, 1.1, 2, 10, 1e3, 1e9, 1e30, 1e300]
@@ -127,7 +128,7 @@ def over(random_, scene):
 def fitting(random_, scene):
     """Commands that have something to say of a scene; now and then all of them."""
     everywhere = ["run", "run", "run", "run", "check", "show", "compare", "map", "free", "law",
-                  "reduce", "linearise", "response", "orders"]
+                  "reduce", "linearise", "response", "orders", "gradient", "tolerance", "optimize", "find", "identify"]
     others = ["kinematics", "forces", "cam", "steady", "methods", "schema"]
     if random_.random() < 0.05:
         return everywhere + others
@@ -141,6 +142,24 @@ def fitting(random_, scene):
     }
     own = [command for command in others if fits.get(command)]
     return everywhere + own + own
+
+
+def about_numbers(random_, command, number, first):
+    """Arguments of a study of numbers of the scene."""
+    name, value = number
+    span = f"{name}={value * 0.5}:{value * 2}"
+    if command == "gradient":
+        return ["--by", name]
+    if command == "tolerance":
+        tolerance = random_.choice(["±1 %", "±0.1", "+1 -0.5 mm", "h7"])
+        return ["--tol", f"{name}={tolerance}", "--samples", "8", "--threads", "1"]
+    if command == "find":
+        return ["--vary", f"{span}:3", "--maximize", name, "--threads", "1"]
+    if command == "optimize":
+        goal = random_.choice([f"{first}.delta_max", f"{first}.peak_speed", name])
+        return ["--vary", span, "--minimize", goal, "--starts", "1", "--threads", "1"]
+    signal = f"{first}.{random_.choice(['delta', 'displacement'])}"
+    return ["--record", RECORD, "--match", f"deflection={signal}", "--vary", span, "--starts", "1", "--threads", "1"]
 
 
 def arguments(random_, scene, path, out, limit):
@@ -162,7 +181,10 @@ def arguments(random_, scene, path, out, limit):
         return ["steady", f"--inertia=1+{random_.random()}*cos(phi)", f"--work={size}*cos(phi)",
                 "--mean-speed", str(random_.choice(FACTORS)), "--json",
                 *random_.choice([[], ["--balance"], ["--mean", "midrange"], ["--fluctuation", "0.1"]])]
-    if command == "show":
+    first = next(iter(scene["objects"]), "none")
+    if command in ("gradient", "tolerance", "optimize", "find", "identify"):
+        extra = about_numbers(random_, command, (name, value), first)
+    elif command == "show":
         extra = ["--view", random_.choice(["all", "graph", "model", "equations"])]
     elif command == "compare":
         extra = ["--over", f"{name}={value},{value * random_.choice(FACTORS)}"]
