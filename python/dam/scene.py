@@ -842,7 +842,7 @@ def _course(
 def _way(way: float | tuple[float, float] | None) -> list[float]:
     if way is None:
         return []
-    return list(way) if isinstance(way, tuple) else [way]
+    return [way] if isinstance(way, (int, float)) else list(way)
 
 
 def _text(value: Quantity | None) -> str | None:
