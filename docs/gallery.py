@@ -44,6 +44,7 @@ TITLES = {
     "grooved_cam": "Grooved cams",
     "indexing": "Indexing",
     "joint_friction": "Friction of joints",
+    "dry_friction": "Dry friction",
     "kinetostatics": "Kinetostatics",
     "limits": "Limits of travel",
     "linkages": "Linkages",

@@ -46,8 +46,8 @@ pub trait LoadFunction: fmt::Debug + Send + Sync {
         None
     }
 
-    /// Of dry friction the greatest force, and the width (a speed) that it is regularised over.
-    fn dry_friction(&self) -> Option<[f64; 2]> {
+    /// Of regularised friction the greatest force, and the width (a speed) of it.
+    fn regularised_friction(&self) -> Option<[f64; 2]> {
         None
     }
 

@@ -13,6 +13,7 @@
 
 mod condition;
 mod contact;
+mod dry_friction;
 mod loads;
 mod part;
 mod pressing;
@@ -34,6 +35,7 @@ pub use super::laws::contact::{ContactForm, ContactLaw, Loss};
 pub(crate) use condition::NAMES as CONDITION_NAMES;
 pub use condition::{Condition, UNTIL};
 pub use contact::ContactElement;
+pub use dry_friction::DryFriction;
 pub use loads::{LinearLoad, LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
 pub use pressing::ContactPartner;
@@ -79,6 +81,34 @@ pub struct Model {
 }
 
 impl Model {
+    /// The two nodes that a node is the difference of: those between which a dry friction acts.
+    pub fn rubbing_nodes(&self, node: NodeIndex) -> Option<[NodeIndex; 2]> {
+        let rubs = |load: &&Load| load.node == node && load.law.dry_friction().is_some();
+        self.loads.iter().find(rubs)?;
+        match &self.nodes[node].motion {
+            NodeMotion::Constrained { drivers, .. } => match drivers[..] {
+                [own, other] if self.part_of(node).is_none() => Some([own, other]),
+                _ => None,
+            },
+            NodeMotion::Prescribed { .. }
+            | NodeMotion::Rotor { .. }
+            | NodeMotion::Mass { .. }
+            | NodeMotion::Rigid { .. } => None,
+        }
+    }
+
+    /// The object part that a node is of.
+    fn part_of(&self, node: NodeIndex) -> Option<&ObjectPart> {
+        let own = |part: &&ObjectPart| part.nodes.contains(&node) || part.combination == Some(node);
+        self.objects.iter().find(own)
+    }
+
+    /// The node of the object that has a load: where this acts, or of what rubs on another.
+    pub fn owner_of_load(&self, load: &Load) -> NodeIndex {
+        self.rubbing_nodes(load.node)
+            .map_or(load.node, |[own, _]| own)
+    }
+
     /// True of a node whose inertia changes as it moves: an input of a planar linkage.
     pub fn has_variable_inertia(&self, node: NodeIndex) -> bool {
         let several = self.multi_linkages.iter();

@@ -296,8 +296,12 @@ pub(super) fn blank(model: &Model) -> Figures {
     document(model, &settings, &figures, run, &[])
 }
 
-/// True when the friction of the object's joints acts on the motion.
+/// True when the friction of the object's joints acts on the motion, or dry friction on it.
 fn has_active_friction(model: &Model, part: &ObjectPart) -> bool {
+    let mut dry = (model.loads.iter()).filter(|load| load.law.dry_friction().is_some());
+    if dry.any(|load| part.nodes.contains(&model.owner_of_load(load))) {
+        return true;
+    }
     let of_one = model.linkages.iter();
     let of_one = of_one.map(|body| (body.node, &body.friction));
     let of_several = model.multi_linkages.iter();

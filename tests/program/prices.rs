@@ -23,6 +23,7 @@ const KINDS: &[(&str, &[&str])] = &[
             "LoadLaw::Pieces",
             "LoadLaw::Stop",
             "LoadLaw::Written",
+            "LoadLaw::Dry",
         ],
     ),
     (

@@ -6,6 +6,7 @@ mod bad_input;
 mod contact;
 mod creep;
 mod dead_positions;
+mod dry_friction;
 mod examples;
 mod expressions;
 mod figures;

@@ -119,6 +119,11 @@ impl<'s> Judge<'s> {
                 names[point].clone_from(&part.id);
             }
         }
+        for load in &model.loads {
+            if let Some([own, _]) = model.rubbing_nodes(load.node) {
+                names[load.node] = names[own].clone();
+            }
+        }
         Self {
             system,
             mechanics: Mechanics::new(system),
@@ -304,6 +309,7 @@ impl<'s> Judge<'s> {
             }
         }
         self.judge_contacts(look);
+        self.judge_dry_friction(look);
         self.judge_sums(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {

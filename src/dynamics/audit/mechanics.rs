@@ -11,11 +11,14 @@
 
 use super::contact::{Contact, ContactState};
 use crate::dynamics::builder::FREE_FALL;
-use crate::dynamics::model::{Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion};
+use crate::dynamics::integrate::Dynamics;
+use crate::dynamics::model::{
+    DryFriction, Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion,
+};
 use crate::dynamics::stated::{
     LoadStatement, StatedDrive, StatedLoad, StatedPosition, differentiate, nearest_by_turns,
 };
-use crate::dynamics::system::System;
+use crate::dynamics::system::{Scratch, System, dry_friction};
 use crate::kinematics::constraint::ConstraintJet;
 use std::sync::Arc;
 
@@ -73,6 +76,9 @@ pub(super) struct Mechanics<'s> {
     pub(super) nodes: Vec<At>,
     /// Forces and depths of all contacts at the state looked at last.
     pub(super) pressed: Vec<ContactState>,
+    /// Forces of all dry contacts at rest at that state, as the system has them: by load.
+    held: Vec<f64>,
+    scratch: Option<Box<Scratch>>,
     /// Kinetic energy at the state looked at last.
     pub(super) kinetic: f64,
 }
@@ -93,6 +99,12 @@ impl<'s> Mechanics<'s> {
             no_force: vec![None; count],
             nodes: vec![At::default(); count],
             pressed: Vec::new(),
+            held: vec![0.0; model.loads.len()],
+            scratch: (model
+                .loads
+                .iter()
+                .any(|load| load.law.dry_friction().is_some()))
+            .then(|| Box::new(system.scratch())),
             kinetic: 0.0,
         };
         mechanics.state_motions();
@@ -167,6 +179,9 @@ impl<'s> Mechanics<'s> {
         self.nodes.fill(At::default());
         self.pressed.clear();
         self.move_nodes(time, y);
+        if let Some(scratch) = &mut self.scratch {
+            dry_friction::forces_at_rest(self.system, (time, y), modes, scratch, &mut self.held);
+        }
         self.load_nodes(time, modes);
         self.add_link_forces(y, modes);
         self.add_linkages();
@@ -290,11 +305,38 @@ impl<'s> Mechanics<'s> {
                     factor * function.force(own.0, own.1).value
                 }
                 (None, LoadLaw::Linear(law)) => law.force - law.rate * own.0 - law.damping * own.1,
+                (None, LoadLaw::Dry(friction)) => match self.held[index] {
+                    held if held.is_nan() => friction.opposing(own.1),
+                    held => held,
+                },
                 (None, LoadLaw::Pieces { .. }) => 0.0,
             };
             self.nodes[load.node].force += force;
             self.nodes[load.node].size += force.abs();
         }
+    }
+
+    /// Node, numbers and component of the modes of every dry contact.
+    pub(super) fn dry_contacts(&self) -> Vec<(usize, DryFriction, Option<usize>)> {
+        let loads = self.system.model().loads.iter();
+        let dry = loads.filter_map(|load| Some((load.node, *load.law.dry_friction()?)));
+        let components = dry_friction::components(self.system);
+        dry.zip(components)
+            .map(|((node, friction), component)| (node, friction, component))
+            .collect()
+    }
+
+    /// Force of the dry friction on a node at rest, at the state looked at last.
+    pub(super) fn held_force(&self, node: usize) -> f64 {
+        let loads = self.system.model().loads.iter().zip(&self.held);
+        let own = loads.filter(|(load, _)| load.node == node && load.law.dry_friction().is_some());
+        own.map(|(_, held)| *held).fold(0.0, |greatest: f64, held| {
+            if held.abs() > greatest.abs() {
+                held
+            } else {
+                greatest
+            }
+        })
     }
 
     fn add_link_forces(&mut self, y: &[f64], modes: &[i64]) {

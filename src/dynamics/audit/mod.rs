@@ -24,7 +24,8 @@
 //! Beyond its bound the run is not to be trusted; after `exact`, `auto` takes another method.
 //! Maps and prepared scenes check one point in 16, drawn by the seed. `unchecked` names what cannot be checked:
 //! forces of linkages of several inputs, friction of joints, plans with very many smooth
-//! motions.
+//! motions. Of dry friction at rest the force is taken from the run: with it the equations
+//! balance, and it is within its limit (`friction`).
 //!
 //! # Limits
 //!
@@ -46,6 +47,7 @@
 
 mod check;
 mod contact;
+mod friction;
 mod joints;
 mod judge;
 mod mechanics;

@@ -4,7 +4,7 @@ use super::pieces::{self, Pieces};
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written::NO_NODE_YET;
 use super::{FREE_FALL, ModelBuilder, Place};
-use crate::dynamics::model::{Coordinate, Load, LoadLaw, NodeIndex, TrackSource};
+use crate::dynamics::model::{Coordinate, DryFriction, Load, LoadLaw, NodeIndex, TrackSource};
 use crate::dynamics::stated::{LoadStatement, StatedLoad};
 use crate::fault::Faults;
 
@@ -64,8 +64,17 @@ impl ModelBuilder {
         if let Some(stated) = stated(spec) {
             self.state_load(stated, self.axis(spec, driver).unwrap_or(driver));
         }
-        if let LoadLawSpec::Written(written) = spec {
-            self.wait_for(path, written.over.as_ref());
+        match spec {
+            LoadLawSpec::Written(written) => self.wait_for(path, written.over.as_ref()),
+            LoadLawSpec::Dry { over, .. } => self.wait_for(path, over.as_ref()),
+            LoadLawSpec::Constant(_)
+            | LoadLawSpec::TimeTable(_)
+            | LoadLawSpec::PositionTable { .. }
+            | LoadLawSpec::Window { .. }
+            | LoadLawSpec::Declared(_)
+            | LoadLawSpec::Weight { .. }
+            | LoadLawSpec::SpeedTable(_)
+            | LoadLawSpec::Custom(_) => {}
         }
         Some(())
     }
@@ -80,6 +89,7 @@ impl ModelBuilder {
             | LoadLawSpec::Constant(_)
             | LoadLawSpec::TimeTable(_)
             | LoadLawSpec::Declared(_)
+            | LoadLawSpec::Dry { .. }
             | LoadLawSpec::Weight { .. }
             | LoadLawSpec::SpeedTable(_)
             | LoadLawSpec::Custom(_) => &None,
@@ -198,6 +208,7 @@ impl ModelBuilder {
                 declared.check(&mut faults);
                 Some(declared.law())
             }
+            LoadLawSpec::Dry { friction, .. } => Some(dry_law(&mut faults, friction)),
             LoadLawSpec::SpeedTable(ref points) => {
                 faults.points("table", points, 1);
                 Some(LoadLaw::speed_table(points.clone()))
@@ -224,6 +235,24 @@ impl ModelBuilder {
                 None
             }
         }
+    }
+}
+
+/// Dry friction, with faults of its numbers. What never rubs is no load.
+fn dry_law(faults: &mut Faults, friction: DryFriction) -> LoadLaw {
+    faults.not_negative("friction.sliding", friction.sliding);
+    if !(friction.static_limit >= friction.sliding) {
+        let hint =
+            "friction at rest is at least that of sliding; leave out `static` where they are equal";
+        let message = "`static` is less than `sliding`";
+        faults.add("friction.static", message, hint);
+    }
+    if let Some(speed) = friction.stribeck_speed {
+        faults.positive("friction.stribeck_speed", speed);
+    }
+    match friction.static_limit == 0.0 {
+        true => LoadLaw::constant(0.0),
+        false => LoadLaw::Dry(friction),
     }
 }
 
@@ -267,6 +296,7 @@ fn stated(law: &LoadLawSpec) -> Option<StatedLoad> {
             expression: written.expression.clone(),
             factor: written.factor,
         },
-        LoadLawSpec::Custom(_) => return None,
+        // (Its check reads the model: at rest its force is a reaction.)
+        LoadLawSpec::Dry { .. } | LoadLawSpec::Custom(_) => return None,
     })
 }

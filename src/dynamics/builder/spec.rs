@@ -8,7 +8,7 @@ pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
 pub use super::written::WrittenSpec;
 pub use crate::dynamics::laws::LawInstance;
 use crate::dynamics::load::CustomLoad;
-use crate::dynamics::model::{Closure, ContactForm, ContactLaw, Coordinate};
+use crate::dynamics::model::{Closure, ContactForm, ContactLaw, Coordinate, DryFriction};
 pub use crate::kinematics::hertzian::ContactPressure;
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
@@ -293,6 +293,14 @@ pub enum LoadLawSpec {
         /// The object or output whose displacement φ is; `None`: the driver.
         over: Option<String>,
     },
+    /// `{ "friction": { "sliding", "static" = sliding, "stribeck_speed" or absent } }`: dry
+    /// friction that sticks, against the ground or against another object.
+    Dry {
+        /// Its numbers.
+        friction: DryFriction,
+        /// The object or output that it rubs on; `None`: the ground.
+        over: Option<String>,
+    },
     /// A law over the own motion that the library declares: `{ "spring": { "rate", "preload" } }`.
     Declared(LawInstance),
     /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination) with
@@ -315,7 +323,9 @@ impl LoadLawSpec {
     /// The object or output, other than the driver, to whose motion the law refers.
     pub fn over(&self) -> Option<&String> {
         match self {
-            Self::PositionTable { over, .. } | Self::Window { over, .. } => over.as_ref(),
+            Self::PositionTable { over, .. }
+            | Self::Window { over, .. }
+            | Self::Dry { over, .. } => over.as_ref(),
             Self::Written(written) => written.over.as_ref(),
             Self::Constant(_)
             | Self::TimeTable(_)
@@ -330,7 +340,9 @@ impl LoadLawSpec {
     #[must_use]
     pub fn over_another(mut self, other: Option<String>) -> Self {
         match &mut self {
-            Self::PositionTable { over, .. } | Self::Window { over, .. } => *over = other,
+            Self::PositionTable { over, .. }
+            | Self::Window { over, .. }
+            | Self::Dry { over, .. } => *over = other,
             Self::Written(written) => written.over = other,
             Self::Constant(_)
             | Self::TimeTable(_)

@@ -1,9 +1,12 @@
 //! Loads that are written as expressions: what their names stand for, and what of them
 //! is one of the other laws. Loads over the motion of an object that is lowered later.
 
-use super::ModelBuilder;
-use crate::dynamics::model::{LoadLaw, LoadVariable, NodeIndex, Track, TrackSource, WrittenLoad};
+use super::{ModelBuilder, NodeEntry};
+use crate::dynamics::model::{
+    LoadLaw, LoadVariable, Node, NodeIndex, NodeMotion, Track, TrackSource, WrittenLoad,
+};
 use crate::kinematics::breaks::Breaks;
+use crate::kinematics::constraint::Constraint;
 use crate::math::expression::Expression;
 use std::sync::Arc;
 
@@ -63,6 +66,8 @@ pub(super) struct PendingReference {
 enum ReferenceKind {
     /// Index into [`Model::loads`](crate::dynamics::model::Model::loads): an expression.
     Load(usize),
+    /// The same: dry friction between two objects.
+    Friction(usize),
     /// Index into [`Model::tracks`](crate::dynamics::model::Model::tracks): the axis of a table
     /// or window.
     Track(usize),
@@ -152,10 +157,17 @@ impl ModelBuilder {
     pub(super) fn wait_for(&mut self, path: &str, over: Option<&String>) {
         let last = self.model.loads.len().checked_sub(1);
         if let (Some(over), Some(load)) = (over, last)
-            && self.model.loads[load].law.expression_load().is_some()
+            && let Some(what) = match &self.model.loads[load].law {
+                LoadLaw::Written(_) => Some(ReferenceKind::Load(load)),
+                LoadLaw::Dry(_) => Some(ReferenceKind::Friction(load)),
+                LoadLaw::Linear(_)
+                | LoadLaw::Pieces { .. }
+                | LoadLaw::Stop(_)
+                | LoadLaw::Function { .. } => None,
+            }
         {
             self.waiting.push(PendingReference {
-                what: ReferenceKind::Load(load),
+                what,
                 over: over.clone(),
                 path: format!("{path}.over"),
             });
@@ -174,9 +186,44 @@ impl ModelBuilder {
             };
             match waiting.what {
                 ReferenceKind::Load(load) => self.connect_load(load, node),
+                ReferenceKind::Friction(load) => self.connect_friction(load, node, &waiting),
                 ReferenceKind::Track(track) => self.connect_track(track, node),
             }
         }
+    }
+
+    /// Dry friction between two nodes acts on their difference, a node without inertia.
+    fn connect_friction(&mut self, load: usize, other: NodeIndex, waiting: &PendingReference) {
+        let own = self.model.loads[load].node;
+        let part = |node: NodeIndex| self.known[node].part;
+        let coordinate = |node: NodeIndex| self.model.objects[part(node)].coordinate;
+        if own == other {
+            let hint = "name another object, or leave out `over`: friction against the ground";
+            let message = "an object does not rub on itself";
+            return self.faults.add(&waiting.path, message, hint);
+        }
+        if coordinate(own) != coordinate(other) {
+            let message = format!(
+                "what turns does not rub on what slides: `{}` has another unit",
+                waiting.over
+            );
+            let hint = "friction acts between two objects that both turn or both slide";
+            return self.faults.add(&waiting.path, message, hint);
+        }
+        let start = self.known[own].start - self.known[other].start;
+        let part = part(own);
+        self.model.nodes.push(Node {
+            inertia: 0.0,
+            motion: NodeMotion::Constrained {
+                drivers: vec![own, other],
+                constraint: Constraint::Linear {
+                    ratios: vec![1.0, -1.0],
+                    offset: 0.0,
+                },
+            },
+        });
+        self.known.push(NodeEntry { part, start });
+        self.model.loads[load].node = self.model.nodes.len() - 1;
     }
 
     fn connect_load(&mut self, load: usize, node: NodeIndex) {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 pub(crate) const FRICTION: ForceLaw = ForceLaw {
     key: "friction",
-    doc: "Coulomb friction, regularised: W = −force·tanh(φ̇/width).",
+    doc: "Dry friction that sticks, with `sliding`; or Coulomb friction, regularised: W = −force·tanh(φ̇/width).",
     parameters: &[
         Parameter {
             key: "force",
@@ -78,7 +78,7 @@ impl LoadFunction for Friction {
         }))
     }
 
-    fn dry_friction(&self) -> Option<[f64; 2]> {
+    fn regularised_friction(&self) -> Option<[f64; 2]> {
         Some([self.force, self.width])
     }
 

@@ -17,7 +17,7 @@ mod viscous;
 
 pub use parameter::{Domain, Measure, Parameter};
 
-use friction::FRICTION;
+pub(crate) use friction::FRICTION;
 use linear_motor::{LINEAR_FORCE, LINEAR_TORQUE};
 use speed_table::SpeedTable;
 use spring::SPRING;
@@ -171,7 +171,7 @@ impl LoadLaw {
                 Some((declared, 1.0))
             }
             Self::Function { function, factor } => Some((function.declared()?, *factor)),
-            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) => None,
+            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) | Self::Dry(_) => None,
         }
     }
 }
@@ -214,7 +214,7 @@ mod tests {
                 let force = function.force(displacement, speed);
                 [force.value, force.by_displacement, force.by_speed].map(|own| own * factor)
             }
-            LoadLaw::Pieces { .. } | LoadLaw::Stop(_) | LoadLaw::Written(_) => {
+            LoadLaw::Pieces { .. } | LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Dry(_) => {
                 panic!("no law over the own motion")
             }
         }

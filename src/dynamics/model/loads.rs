@@ -1,6 +1,6 @@
 //! Loads on nodes.
 
-use super::{NodeIndex, Stop, Track, TrackSource};
+use super::{DryFriction, NodeIndex, Stop, Track, TrackSource};
 use crate::dynamics::load::LoadFunction;
 use crate::math::expression::Expression;
 use std::sync::Arc;
@@ -46,6 +46,8 @@ pub enum LoadLaw {
     Stop(Stop),
     /// An expression over time and motions.
     Written(WrittenLoad),
+    /// Dry friction that sticks: its direction, or that it holds, is a mode.
+    Dry(DryFriction),
     /// `factor` times a function of displacement and speed of the node.
     Function {
         /// The force.
@@ -76,9 +78,11 @@ impl LoadLaw {
     pub fn stop(&self) -> Option<&Stop> {
         match self {
             Self::Stop(stop) => Some(stop),
-            Self::Linear(_) | Self::Pieces { .. } | Self::Written(_) | Self::Function { .. } => {
-                None
-            }
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Written(_)
+            | Self::Dry(_)
+            | Self::Function { .. } => None,
         }
     }
 
@@ -86,7 +90,11 @@ impl LoadLaw {
     pub fn expression_load(&self) -> Option<&WrittenLoad> {
         match self {
             Self::Written(written) => Some(written),
-            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Dry(_)
+            | Self::Function { .. } => None,
         }
     }
 
@@ -94,7 +102,11 @@ impl LoadLaw {
     pub(crate) fn written_mut(&mut self) -> Option<&mut WrittenLoad> {
         match self {
             Self::Written(written) => Some(written),
-            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Dry(_)
+            | Self::Function { .. } => None,
         }
     }
 
@@ -102,7 +114,11 @@ impl LoadLaw {
     pub fn pieces(&self) -> Option<(usize, &[LinearPiece])> {
         match self {
             Self::Pieces { track, pieces } => Some((*track, pieces)),
-            Self::Linear(_) | Self::Stop(_) | Self::Written(_) | Self::Function { .. } => None,
+            Self::Linear(_)
+            | Self::Stop(_)
+            | Self::Written(_)
+            | Self::Dry(_)
+            | Self::Function { .. } => None,
         }
     }
 
@@ -135,7 +151,7 @@ impl LoadLaw {
     /// table, nor of an expression, which names all that it reads.
     pub fn needs_own_motion(&self) -> bool {
         match self {
-            Self::Linear(_) | Self::Stop(_) | Self::Function { .. } => true,
+            Self::Linear(_) | Self::Stop(_) | Self::Dry(_) | Self::Function { .. } => true,
             Self::Pieces { .. } | Self::Written(_) => false,
         }
     }
@@ -149,6 +165,7 @@ impl LoadLaw {
                 !pieces.iter().any(acts)
             }
             Self::Stop(_) => false,
+            Self::Dry(friction) => friction.static_limit == 0.0,
             Self::Written(written) => written.factor == 0.0,
             Self::Function { function, factor } => factor * function.magnitude() == 0.0,
         }
@@ -170,6 +187,7 @@ impl LoadLaw {
                 side && gives && finite(&[stop.at, stop.stiffness])
             }
             Self::Written(written) => finite(&[written.factor]),
+            Self::Dry(friction) => friction.is_possible(),
             Self::Function { function, factor } => {
                 let corners = function.corners();
                 let ascending = corners.windows(2).all(|pair| pair[0].0 < pair[1].0);
@@ -193,6 +211,7 @@ impl LoadLaw {
                 let values = pieces.iter().map(|piece| piece.value.abs());
                 values.fold(0.0, f64::max)
             }
+            Self::Dry(friction) => friction.static_limit,
             Self::Stop(_) | Self::Written(_) => 0.0,
             Self::Function { function, factor } => (factor * function.magnitude()).abs(),
         }
@@ -207,6 +226,7 @@ impl LoadLaw {
             | Self::Pieces { .. }
             | Self::Stop(_)
             | Self::Written(_)
+            | Self::Dry(_)
             | Self::Function { .. } => 0.0,
         }
     }
@@ -230,7 +250,7 @@ impl LoadLaw {
                     }
                 }
             }
-            Self::Linear(_) | Self::Stop(_) | Self::Function { .. } => {}
+            Self::Linear(_) | Self::Stop(_) | Self::Dry(_) | Self::Function { .. } => {}
         }
         Some(self)
     }
@@ -243,7 +263,7 @@ impl LoadLaw {
                 let track = tracks.get(*track);
                 track.is_some_and(|track| track.source == TrackSource::Time)
             }
-            Self::Linear(_) | Self::Stop(_) | Self::Function { .. } => false,
+            Self::Linear(_) | Self::Stop(_) | Self::Dry(_) | Self::Function { .. } => false,
         }
     }
 
@@ -251,9 +271,11 @@ impl LoadLaw {
     pub fn read_nodes(&self) -> Vec<NodeIndex> {
         match self {
             Self::Written(written) => written.nodes().collect(),
-            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => {
-                Vec::new()
-            }
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Dry(_)
+            | Self::Function { .. } => Vec::new(),
         }
     }
 
@@ -287,7 +309,20 @@ impl LoadLaw {
                 let piece = pieces.get(index.min(pieces.len().checked_sub(1)?))?;
                 Some(piece.value + piece.slope * (x - shift - piece.start))
             }
+            Self::Dry(friction) => Some(friction.opposing(speed)),
             Self::Stop(_) => None,
+        }
+    }
+
+    /// The dry friction that it is.
+    pub fn dry_friction(&self) -> Option<&DryFriction> {
+        match self {
+            Self::Dry(friction) => Some(friction),
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Written(_)
+            | Self::Function { .. } => None,
         }
     }
 
@@ -332,6 +367,7 @@ impl LoadLaw {
             | Self::Pieces { .. }
             | Self::Stop(_)
             | Self::Written(_)
+            | Self::Dry(_)
             | Self::Function { .. } => None,
         }
     }
@@ -340,7 +376,11 @@ impl LoadLaw {
     pub fn function(&self) -> Option<&dyn LoadFunction> {
         match self {
             Self::Function { function, .. } => Some(function.as_ref()),
-            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) => None,
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Written(_)
+            | Self::Dry(_) => None,
         }
     }
 
@@ -350,6 +390,7 @@ impl LoadLaw {
         match self {
             Self::Linear(own) => own.damping != 0.0,
             Self::Pieces { .. } | Self::Stop(_) => false,
+            Self::Dry(_) => true,
             Self::Written(written) => written.needs_speed(),
             Self::Function { function, .. } => function.needs_speed(),
         }
@@ -361,7 +402,7 @@ impl LoadLaw {
         match self {
             Self::Linear(own) => own.running_speed(),
             Self::Function { function, .. } => function.running_speed(),
-            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) => None,
+            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) | Self::Dry(_) => None,
         }
     }
 
@@ -380,6 +421,7 @@ impl LoadLaw {
                 }
             }
             Self::Stop(stop) => stop.at *= by,
+            Self::Dry(friction) => *friction = friction.scaled(by),
             Self::Written(written) => written.factor *= by,
             Self::Function { factor, .. } => *factor *= by,
         }

@@ -79,7 +79,7 @@ pub struct ObjectFigures {
     /// edge of an undercut profile.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressing: Option<PressingFigures>,
-    /// Friction in the joints of a linkage, where it acts on the motion.
+    /// Friction in the joints of a linkage, where it acts on the motion, or dry friction.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub joints: Option<JointFigures>,
     /// The contact of a stop, which is an object part of its own, `valve.seat`.
@@ -124,15 +124,26 @@ pub struct PressingFigures {
     pub time: f64,
 }
 
-/// Figures of a linkage whose joints have friction.
+/// Figures of a linkage whose joints have friction, or of an object with dry friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct JointFigures {
-    /// Number of standstills of the input, t > 0: to turn back, to go on, or to rest.
+    /// Number of standstills of the input, t > 0: to turn back, to go on, or to rest. Of an
+    /// object with several dry frictions, at the one listed last: on the mass farthest out.
     pub standstills: u64,
-    /// Total time for which friction held it at rest (s).
+    /// Total time for which friction held it at rest (s), likewise.
     pub time_at_rest: f64,
-    /// Energy lost to the friction of its joints (J), ≥ 0.
+    /// Energy lost to the friction of its joints, or to all its dry frictions (J), ≥ 0.
     pub friction_loss: f64,
+}
+
+impl JointFigures {
+    /// Those of an object whose frictions are followed one by one: the losses add up.
+    pub(crate) fn followed_by(self, last: Self) -> Self {
+        Self {
+            friction_loss: self.friction_loss + last.friction_loss,
+            ..last
+        }
+    }
 }
 
 /// Figures of a one-sided stop. The other figures of its part are those of the mass that

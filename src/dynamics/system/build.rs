@@ -5,6 +5,7 @@ mod refusals;
 
 use super::check::chains_of;
 use super::constraints::ConstrainedNode;
+use super::dry_friction;
 use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, PrescribedNode, Rigid, Rotor, Step};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
@@ -27,6 +28,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.place_multi();
     builder.place_tracks();
     builder.frozen.place_distances();
+    builder.place_dry_contacts();
     builder.place_friction();
     builder.place_loads();
     builder.frozen.impacts = builder.frozen.has_rigid_contacts();
@@ -35,6 +37,9 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.refuse_coupled_friction();
     builder.refuse_passed_on_friction();
     builder.refuse_rigid_contacts();
+    builder
+        .faults
+        .extend(dry_friction::faults(&builder.frozen, model));
     builder.frozen.mark_chains();
     builder.frozen.separate_driven_parts();
     if builder.faults.is_empty() {
@@ -258,11 +263,22 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Dry friction: its states are numbered with the directions of joints.
+    fn place_dry_contacts(&mut self) {
+        for load in &self.model.loads {
+            if let Some(friction) = load.law.dry_friction() {
+                let owner = self.model.owner_of_load(load);
+                let (node, object) = (self.frozen.internal[load.node], self.object_of(owner));
+                dry_friction::place(&mut self.frozen, *friction, node, object);
+            }
+        }
+    }
+
     fn place_loads(&mut self) {
-        let mut stops = 0;
+        let (mut stops, mut placed) = (0, 0);
         for load in &self.model.loads {
             let node = self.frozen.internal[load.node];
-            let (mut stop, mut written) = (None, None);
+            let (mut stop, mut written, mut dry) = (None, None, None);
             if let Some(force) = load.law.as_constant() {
                 self.frozen.constant_force[node] += force;
                 continue;
@@ -283,6 +299,12 @@ impl<'a> Builder<'a> {
                     written = Some(FrozenExpression::new(own, load.node, &mut self.frozen));
                     None
                 }
+                LoadLaw::Dry(_) => {
+                    self.frozen.dry[placed].load = self.frozen.loads.len();
+                    dry = Some(placed);
+                    placed += 1;
+                    None
+                }
                 LoadLaw::Linear(_) | LoadLaw::Function { .. } => None,
             };
             self.frozen.loads.push(FrozenLoad {
@@ -292,8 +314,17 @@ impl<'a> Builder<'a> {
                 argument,
                 stop,
                 written,
+                dry,
             });
         }
+    }
+
+    /// The object that a node belongs to.
+    fn object_of(&self, node: usize) -> usize {
+        let mut parts = self.model.objects.iter();
+        parts
+            .position(|part| part.nodes.contains(&node))
+            .unwrap_or(0)
     }
 
     /// Gives a stop its place, the `index`-th of all.

@@ -1,5 +1,6 @@
 //! The system as the integrators see it.
 
+use super::dry_friction;
 use super::frozen::{Frozen, Step as Pass};
 use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
@@ -275,6 +276,7 @@ impl Dynamics for System {
         if self.frozen.impacts {
             self.frozen.probe_held(&modes.0, out);
         }
+        dry_friction::probes(&self.frozen, &modes.0, out);
     }
 
     fn probe(
@@ -286,6 +288,12 @@ impl Dynamics for System {
         scratch: &mut Scratch,
     ) -> f64 {
         let work = &mut scratch.work;
+        if let Some(dry) = probe
+            .index
+            .checked_sub(dry_friction::first_probe(&self.frozen))
+        {
+            return dry_friction::excess(&self.frozen, dry, (time, y), &modes.0, work);
+        }
         match probe.index.checked_sub(self.frozen.friction_group_count()) {
             Some(contact) => self.frozen.parting(contact, time, y, &modes.0, work),
             None => self.frozen.probe(probe, time, y, &modes.0, work),

@@ -6,6 +6,7 @@
 //! of links.
 
 use super::constraints::ConstrainedNode;
+use super::dry_friction::DryContact;
 use super::friction::{Group, Several};
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
@@ -81,6 +82,8 @@ pub(super) struct Frozen {
     pub(super) groups: Vec<Group>,
     /// A linkage of several inputs whose joints have friction.
     pub(super) several: Option<Several>,
+    /// Dry friction that sticks.
+    pub(super) dry: Vec<DryContact>,
     /// Number of directions: the components of the modes after the tracks.
     pub(super) directions: usize,
     /// Number of guards of loads by expressions: the components after the directions.

@@ -16,6 +16,8 @@ pub(super) struct FrozenLoad {
     pub(super) argument: Option<Argument>,
     /// Of [`LoadLaw::Stop`]: index into [`Frozen::stops`](super::frozen::Frozen::stops).
     pub(super) stop: Option<usize>,
+    /// Of [`LoadLaw::Dry`]: index into [`Frozen::dry`](super::frozen::Frozen::dry).
+    pub(super) dry: Option<usize>,
     /// False for a function of which no power series is known.
     pub(super) has_series: bool,
     /// Of [`LoadLaw::Written`]: the expression.
@@ -58,8 +60,9 @@ impl FrozenLoad {
             LoadLaw::Linear(own) => {
                 N::from(own.force) - displacement.scale(own.rate) - speed.scale(own.damping)
             }
-            // (A stop's force depends on its mode, that of an expression on other nodes.)
-            LoadLaw::Stop(_) | LoadLaw::Written(_) => N::from(0.0),
+            // (The force of a stop and of dry friction depends on a mode, that of an expression
+            // on other nodes.)
+            LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Dry(_) => N::from(0.0),
             LoadLaw::Pieces { pieces, .. } => match &self.argument {
                 Some(axis) => {
                     let (x, segment) = argument(axis);

@@ -16,6 +16,7 @@ mod balance;
 mod build;
 mod check;
 mod constraints;
+pub(crate) mod dry_friction;
 mod dynamics;
 mod energy;
 mod forest;

@@ -316,7 +316,8 @@ impl System {
         let constant = frozen.constant_force.iter().zip(&work.speed);
         // (What stops take is stored or lost.)
         let loads = frozen.loads.iter().zip(&work.loads);
-        let loads = loads.filter(|(load, _)| load.stop.is_none());
+        // (… and dry friction is a loss of its own.)
+        let loads = loads.filter(|(load, _)| load.stop.is_none() && load.dry.is_none());
         let varying = loads.map(|(load, force)| force * work.speed[load.node]);
         let (mut applied, mut damped) = (0.0, 0.0);
         for (index, linkage) in frozen.linkages.iter().enumerate() {
@@ -375,6 +376,12 @@ impl System {
             members.map(|member| (member.object, group.component))
         });
         let several = self.frozen.several.iter();
-        groups.chain(several.map(|several| (several.object, Some(several.component))))
+        let joints = groups.chain(several.map(|several| (several.object, Some(several.component))));
+        joints.chain(
+            self.frozen
+                .dry
+                .iter()
+                .map(|contact| (contact.object, contact.component)),
+        )
     }
 }

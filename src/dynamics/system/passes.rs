@@ -15,6 +15,7 @@
 //! `multi/direct` replace them in scenes of rigid bodies at constant ratios.
 
 use super::constraints::{Chains, ConstraintValues, Coupling};
+use super::dry_friction::{self, DryWork};
 use super::friction::{FrictionMemory, SeveralWork};
 use super::frozen::{Chain, Frozen, Step, segment};
 use super::linkages::{Cursor, LinkageState};
@@ -80,6 +81,8 @@ pub(super) struct Work<N> {
     pub(super) rubbing: Vec<FrictionMemory<N>>,
     /// The same of a linkage of several inputs.
     pub(super) several: Option<Box<SeveralWork<N>>>,
+    /// Dry friction at rest.
+    pub(super) dry: DryWork<N>,
     /// Places at which the linkages' tables were last looked up.
     pub(super) cursors: Vec<Cell<Cursor>>,
 }
@@ -111,7 +114,7 @@ impl<N: Quantity> Work<N> {
                 true => frozen.no_modes().len(),
                 false => 0,
             }),
-            parting: match frozen.impacts {
+            parting: match frozen.impacts || !frozen.dry.is_empty() {
                 true => vec![zero; frozen.coordinates],
                 false => Vec::new(),
             },
@@ -125,6 +128,7 @@ impl<N: Quantity> Work<N> {
             linkages: frozen.linkage_memory(),
             rubbing: frozen.friction_memory(),
             several: frozen.multi_input_friction_memory(),
+            dry: DryWork::new(frozen),
             cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }
@@ -171,6 +175,9 @@ impl Frozen {
         self.reduce_rigid(extent, work);
         if !self.groups.is_empty() {
             self.add_friction(state, modes, extent, work);
+        }
+        if !self.dry.is_empty() {
+            dry_friction::hold_all(self, state, modes, extent, work, out);
         }
         if !self.multi.is_empty() {
             self.hold_rotors(work);
@@ -300,6 +307,9 @@ impl Frozen {
         if let Some(stop) = load.stop {
             let stop = &self.stops[stop];
             return stop.force(modes[stop.component], displacement, speed);
+        }
+        if let Some(dry) = load.dry {
+            return self.dry[dry].sliding_force(speed, modes);
         }
         if let Some(written) = &load.written {
             return written.force(time, modes, work);

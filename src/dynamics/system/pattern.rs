@@ -5,6 +5,7 @@
 //! number and U″ is zero.
 
 use super::constraints::ConstrainedNode;
+use super::dry_friction;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::written::FrozenExpression;
 use std::collections::BTreeSet;
@@ -38,6 +39,7 @@ impl Frozen {
         self.collect_reactions(&mut of);
         self.collect_rigids(&mut of);
         self.couple_sets(&mut of);
+        self.couple_dry_contacts(&mut of);
         let mut rows = vec![Set::new(); self.coordinates];
         for step in &self.steps {
             match step {
@@ -209,6 +211,28 @@ impl Frozen {
         }
         for root in roots {
             of.force[root].extend(&all);
+        }
+    }
+
+    /// The forces of dry contacts at rest depend on all that moves the roots of their set, and act
+    /// on all of these.
+    fn couple_dry_contacts(&self, of: &mut Dependences) {
+        for roots in dry_friction::roots_of_sets(self) {
+            let mut all = Set::new();
+            for &root in &roots {
+                all.extend(&of.force[root]);
+                all.extend(&of.mass[root]);
+                let around = |chain: &&Chain| chain.nodes().contains(&root);
+                for chain in self.chains.iter().filter(around) {
+                    all.extend(chain.coordinates());
+                }
+            }
+            for contact in self.dry.iter().filter(|own| own.is_moved_by(&roots)) {
+                all.extend(&of.place[contact.node]);
+            }
+            for root in roots {
+                of.force[root].extend(&all);
+            }
         }
     }
 

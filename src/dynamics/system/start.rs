@@ -1,6 +1,7 @@
 //! The state at t = 0.
 
 use super::balance::{Balance, BalanceState};
+use super::dry_friction;
 use super::passes::{Extent, Work};
 use super::placing::Side;
 use super::{InitialState, System};
@@ -28,6 +29,7 @@ impl System {
         self.frozen.locate_tracks(y, modes);
         self.frozen.settle_points(&mut state.y, &state.modes.0);
         self.settle_directions(&mut state.y, &mut state.modes.0);
+        dry_friction::settle(self, &mut state.y, &mut state.modes.0);
         self.frozen.settle_sides(0.0, &state.y, &mut state.modes.0);
         Ok(state)
     }

@@ -40,8 +40,9 @@ pub(super) fn trains(frozen: &Frozen) -> Vec<Train> {
 }
 
 fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
-    // Friction of joints is found between forces and accelerations.
-    if !(frozen.chains.is_empty() && frozen.groups.is_empty()) {
+    // Friction of joints and at rest is found between forces and accelerations.
+    let rubs = !(frozen.groups.is_empty() && frozen.dry.is_empty());
+    if rubs || !frozen.chains.is_empty() {
         return None;
     }
     let mut trains: Vec<Train> = Vec::new();

@@ -141,11 +141,13 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         links: vec![None; model.links.len()],
     };
     let owned = |node: &usize| {
+        // (What two objects rub on each other by goes with the one that has the load.)
+        let node = model.rubbing_nodes(*node).map_or(*node, |[own, _]| own);
         kept.iter().any(|&object| {
             let part = &model.objects[object];
             let point = part.contact.and_then(|contact| contact.point);
-            let own = part.nodes.contains(node) || part.combination == Some(*node);
-            own || point == Some(*node)
+            let own = part.nodes.contains(&node) || part.combination == Some(node);
+            own || point == Some(node)
         })
     };
     let nodes: Vec<usize> = (0..model.nodes.len()).filter(owned).collect();

@@ -1,5 +1,6 @@
 //! Loads.
 
+mod friction;
 mod written_laws;
 
 use super::Context;
@@ -141,7 +142,10 @@ fn read_law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<Lo
     );
     for own_law in laws::OF_LOADS {
         law.case(own_law.key, own_law.doc, |slot| {
-            declared(slot, own_law, own).map(LoadLawSpec::Declared)
+            match own_law.key == laws::FRICTION.key {
+                true => friction::read(slot, own),
+                false => declared(slot, own_law, own).map(LoadLawSpec::Declared),
+            }
         });
     }
     // An output has no mass of its own.
@@ -155,7 +159,7 @@ fn read_law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<Lo
     let doc = "Another object or output: `press`, `press.ram`; the name of the drive for the \
                machine angle. `window`, `position_table`, `harmonic` and `indicator` refer to its \
                displacement in place of the driver's. `expression` knows its motion as over_phi \
-               and over_phi_dot.";
+               and over_phi_dot. `friction` that sticks acts between both: a clutch, a belt.";
     let over = context.mention(fields, "over", doc);
     // (Beside a law that is missing or misspelt nothing is known to be out of place.)
     let judged = is_given && !fields.describing();
@@ -200,7 +204,10 @@ fn misplaced_over(fields: &mut Fields<'_>) -> bool {
     const OVER: [&str; 4] = ["window", "position_table", "harmonic", "indicator"];
     let harmonic = fields.member("harmonic");
     let over_time = harmonic.is_some_and(|one| one.value.get("frequency").is_some());
-    if !fields.has("over") || !over_time && OVER.iter().any(|name| fields.has(name)) {
+    let rubs = fields.member("friction");
+    let sticks = rubs.is_some_and(|one| one.value.get("sliding").is_some());
+    let follows = !over_time && OVER.iter().any(|name| fields.has(name));
+    if !fields.has("over") || follows || sticks {
         return false;
     }
     let message = "this load does not depend on the displacement of the object `over`";
@@ -216,8 +223,8 @@ fn misplaced_over(fields: &mut Fields<'_>) -> bool {
     let hint = match over_time {
         true => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
         false => {
-            "`over` goes with `expression`, `window`, `position_table`, `harmonic` and `indicator`: \
-             remove it"
+            "`over` goes with `expression`, `window`, `position_table`, `harmonic`, `indicator` and \
+             `friction` that has `sliding`: remove it"
         }
     };
     fields.forbid("over", message, hint)

@@ -37,7 +37,8 @@ impl<'a> Motions<'a> {
         let node = *part.nodes.last()?;
         let loads = || {
             let own = model.loads.iter().filter(move |load| load.node == node);
-            own.filter(|load| !load.law.is_stop())
+            // (What dry friction holds at rest, the motion does not tell.)
+            own.filter(|load| !load.law.is_stop() && load.law.dry_friction().is_none())
         };
         loads().next()?;
         let rows = record.times.iter().enumerate();

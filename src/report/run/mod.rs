@@ -160,7 +160,7 @@ pub(in crate::report) fn objects<'a>(
         Section::new("Stops").table(tables::stops_table(figures)),
         Section::new("Impacts").table(tables::impacts_table(figures)),
         Section::new("Contact pressure").table(tables::contact_pressure_table(figures)),
-        Section::new("Joint friction").table(tables::joints_table(figures)),
+        Section::new("Friction").table(tables::joints_table(figures)),
     ];
     sections.retain(has_rows);
     sections

@@ -4,7 +4,7 @@ use super::linkages::{linkages, multi_linkages};
 use super::{contact, equations, load_word, units};
 use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{
-    Closure, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
+    Closure, LinkBase, Load, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
 };
 use crate::report::diagram::pair;
 use crate::report::findings::Table;
@@ -216,7 +216,8 @@ fn loads_table(model: &Model) -> Table {
     let mut table = Table::new(["object", "load", ">mass", "law"]);
     for object in objects(model).filter(|object| object.kind != STOP) {
         for (place, node) in object.nodes.iter().enumerate() {
-            for load in model.loads.iter().filter(|load| load.node == *node) {
+            let own = |load: &&Load| model.owner_of_load(load) == *node;
+            for load in model.loads.iter().filter(own) {
                 table.push(vec![
                     object.id.clone(),
                     load_word(&load.name).to_owned(),

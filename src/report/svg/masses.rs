@@ -283,7 +283,7 @@ impl<'m> Row<'m> {
         self.out.push_str("</g>");
         self.x += MASS;
         let loads: Vec<&str> = (self.model.loads.iter())
-            .filter(|load| load.node == node)
+            .filter(|load| self.model.owner_of_load(load) == node)
             .map(|load| load.name.rsplit('.').next().unwrap_or(&load.name))
             .collect();
         if !loads.is_empty() {

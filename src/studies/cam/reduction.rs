@@ -201,7 +201,11 @@ impl<'m> Reduction<'m> {
                     self.spring.preload -= self.pair.opens * law.force;
                     self.springs.push(load.name.clone());
                 }
-                LoadLaw::Function { function, .. } if function.dry_friction().is_some() => {
+                LoadLaw::Function { function, .. } if function.regularised_friction().is_some() => {
+                    self.notes
+                        .push(format!("{} (friction) is not counted", load.name));
+                }
+                LoadLaw::Dry(_) => {
                     self.notes
                         .push(format!("{} (friction) is not counted", load.name));
                 }
@@ -403,7 +407,10 @@ impl<'m> Reduction<'m> {
                     found.fixed -= linear_load_at(track, pieces, x, at) * ratio.first;
                 }
                 // (What is not summed up here was refused, or is told as left out.)
-                LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Function { .. } => {}
+                LoadLaw::Stop(_)
+                | LoadLaw::Dry(_)
+                | LoadLaw::Written(_)
+                | LoadLaw::Function { .. } => {}
             }
         }
         found.by_square *= self.pair.opens;

@@ -220,11 +220,25 @@ fn solve(
     Ok(Answer::Rigid(Box::new(answer)))
 }
 
+/// Friction that sticks: a state of its own, which a steady motion would have to repeat.
+fn dry_friction_faults(model: &Model) -> impl Iterator<Item = Fault> + '_ {
+    let rubs = (model.loads.iter()).filter(|load| load.law.dry_friction().is_some());
+    rubs.map(|load| {
+        let message = format!(
+            "`{}` is friction that sticks: a steady motion is found of machines without",
+            load.name
+        );
+        let hint = "`dam run` runs it until it is steady; or give `force` and `width` in place of \
+                    `sliding`: regularised friction";
+        Fault::new(format!("{}.friction", load.name), message, hint)
+    })
+}
+
 /// The linkages whose friction would act on the motion.
 fn friction_faults(model: &Model) -> Vec<Fault> {
     let bodies = model.linkages.iter();
     let rubs = bodies.filter(|body| body.friction.as_ref().is_some_and(|k| k.has_friction()));
-    rubs.map(|body| {
+    let joints = rubs.map(|body| {
         let id = &model.objects[body.object].id;
         let message = format!(
             "the joints of `{id}` have friction, which depends on the reactions: a steady \
@@ -235,6 +249,6 @@ fn friction_faults(model: &Model) -> Vec<Fault> {
              shows what friction costs over a turn"
         );
         Fault::new(format!("{id}.joint_friction"), message, hint)
-    })
-    .collect()
+    });
+    joints.chain(dry_friction_faults(model)).collect()
 }

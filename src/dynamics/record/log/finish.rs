@@ -60,7 +60,9 @@ impl Log<'_> {
         }
         for joints in joints {
             let object = joints.object;
-            figures[object].joints = Some(joints.finish(time));
+            let own = joints.finish(time);
+            let before = figures[object].joints.take();
+            figures[object].joints = Some(before.map_or(own, |before| before.followed_by(own)));
         }
         for (time, values) in std::mem::take(&mut self.peaks) {
             if tallies

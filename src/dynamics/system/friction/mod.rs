@@ -41,6 +41,7 @@ mod unsolved;
 pub(super) use multi_input::{Several, SeveralWork};
 pub(crate) use stick_slip::StickSlip;
 
+use super::dry_friction;
 use super::frozen::{Frozen, FrozenTrack};
 use crate::dynamics::integrate::{EventFunction, Guard};
 use crate::dynamics::model::LinkageBody;
@@ -241,7 +242,8 @@ impl Frozen {
         }
         self.number_pairs(next);
         let pairs = self.several.as_ref().map_or(0, Several::components);
-        self.directions = next + pairs - first;
+        let next = dry_friction::number(self, next + pairs);
+        self.directions = next - first;
     }
 
     /// Root that a node follows rigidly, and the laws on the way to it.
@@ -302,5 +304,6 @@ impl Frozen {
             }
         }
         self.watch_pairs(modes, out);
+        dry_friction::watch(self, modes, out);
     }
 }

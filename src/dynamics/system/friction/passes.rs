@@ -2,6 +2,7 @@
 
 use super::force::LinkageMotion;
 use super::{Direction, Group, Member, Obstacle, StickSlip};
+use crate::dynamics::system::dry_friction;
 use crate::dynamics::system::frozen::{Frozen, segment};
 use crate::dynamics::system::passes::{Extent, Work};
 use crate::kinematics::linkage::kinetostatics::ForceFailure;
@@ -53,7 +54,8 @@ impl Frozen {
                 (member.object, if held { 0.0 } else { loss })
             })
         });
-        groups.chain(self.multi_input_friction_loss(work))
+        let joints = groups.chain(self.multi_input_friction_loss(work));
+        joints.chain(dry_friction::losses(self, modes, work))
     }
 
     /// Corners of blocks that press, as found last, of linkages whose motion is given;

@@ -7,9 +7,9 @@ use super::passes::sign_of;
 use super::stick_slip::ProbeAction;
 use super::{Direction, Group, Member, Obstacle, StickSlip};
 use crate::dynamics::integrate::{Modes, PhysicalStop, Probe};
-use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::{Extent, Work};
+use crate::dynamics::system::{System, dry_friction};
 use crate::kinematics::linkage::kinetostatics::ForceFailure;
 
 /// Friction of what is about to start exceeds that of what has just started by this
@@ -208,6 +208,9 @@ impl System {
         target: i64,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
+        if dry_friction::has_component(&self.frozen, component) {
+            return dry_friction::decide_on(self, component, (time, y), &mut modes.0);
+        }
         let several = self.frozen.several.as_ref();
         if several.is_some_and(|several| several.has_component(component)) {
             self.pass_pair(time, y, (component, target), &mut modes.0)?;

@@ -37,7 +37,7 @@ impl StickSlip {
     }
 
     /// −1 or 1 while sliding, else 0.
-    pub(super) const fn sense(self) -> f64 {
+    pub(in crate::dynamics::system) const fn sense(self) -> f64 {
         match self {
             Self::Backward => -1.0,
             Self::Forward => 1.0,
@@ -46,7 +46,7 @@ impl StickSlip {
     }
 
     /// True while sliding.
-    pub(super) const fn slides(self) -> bool {
+    pub(in crate::dynamics::system) const fn slides(self) -> bool {
         matches!(self, Self::Backward | Self::Forward)
     }
 }

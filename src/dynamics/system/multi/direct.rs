@@ -44,7 +44,7 @@ pub(in crate::dynamics::system) fn direct(frozen: &Frozen) -> Option<Direct> {
     let [multi] = &frozen.multi[..] else {
         return None;
     };
-    let rubs = !frozen.groups.is_empty() || frozen.several.is_some();
+    let rubs = !frozen.groups.is_empty() || frozen.several.is_some() || !frozen.dry.is_empty();
     let apart = frozen.chains.is_empty() && !rubs && frozen.heavy.is_empty();
     if !apart || !frozen.linkages.is_empty() || !frozen.branches.is_empty() {
         return None;

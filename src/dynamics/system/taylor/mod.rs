@@ -157,6 +157,8 @@ impl Frozen {
             Some("a constraint that is not linear")
         } else if !self.heavy.is_empty() {
             Some("inertia on an object with several inputs, which couples coordinates,")
+        } else if !self.dry.is_empty() {
+            Some("dry friction that sticks")
         } else if self.loads.iter().any(|load| has_corners(&load.law)) {
             Some("a motor's torque by a table of speeds")
         } else if self.loads.iter().any(|load| !load.has_series) {
@@ -268,7 +270,7 @@ impl Frozen {
                     }),
                     // (Systems with such a function are not expanded; the others are above.)
                     (LoadLaw::Function { .. }, None)
-                    | (LoadLaw::Written(_) | LoadLaw::Stop(_), _) => 0.0,
+                    | (LoadLaw::Written(_) | LoadLaw::Stop(_) | LoadLaw::Dry(_), _) => 0.0,
                 }
             };
             taylor.force[load.node][order] += force;

@@ -5,9 +5,10 @@ use super::{Section, of_mass, of_object};
 use crate::dynamics::builder::written::OVER;
 use crate::dynamics::laws::{LawInstance, Measure};
 use crate::dynamics::model::{
-    Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop, TrackSource,
-    WrittenLoad,
+    Coordinate, DryFriction, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop,
+    TrackSource, WrittenLoad,
 };
+use crate::math::expression::Expression;
 use crate::report::math::{Expr, Index, Relation, Symbol, of_program, symbol};
 use crate::report::quantity::{significant, with_unit};
 use crate::report::show::contact::summary_of as contact_summary;
@@ -18,14 +19,20 @@ const MOST_PIECES: usize = 6;
 
 /// The letters W of the loads on a mass, counted from 1.
 pub(super) fn terms(model: &Model, part: &ObjectPart, mass: usize) -> Vec<Expr> {
-    on_mass(model, part, mass)
-        .map(|load| letter("W", model, part, mass, load).expr())
-        .collect()
+    let node = part.nodes[mass - 1];
+    let handed = model
+        .loads
+        .iter()
+        .filter(|load| (model.rubbing_nodes(load.node)).is_some_and(|[_, other]| other == node));
+    let own = on_mass(model, part, mass).map(|load| letter("W", model, part, mass, load).expr());
+    // What another object rubs with acts back.
+    let back = handed.map(|load| back_letter(load).expr().negative());
+    own.chain(back).collect()
 }
 
 /// True when any load acts on a mass.
 pub(super) fn has_load(model: &Model, part: &ObjectPart, mass: usize) -> bool {
-    on_mass(model, part, mass).next().is_some()
+    !terms(model, part, mass).is_empty()
 }
 
 fn on_mass<'a>(
@@ -34,7 +41,12 @@ fn on_mass<'a>(
     mass: usize,
 ) -> impl Iterator<Item = &'a Load> {
     let node = part.nodes[mass - 1];
-    model.loads.iter().filter(move |load| load.node == node)
+    (model.loads.iter()).filter(move |load| model.owner_of_load(load) == node)
+}
+
+/// The letter of a friction on the object that another one rubs on.
+fn back_letter(load: &Load) -> Symbol {
+    symbol("W", Index::Word(load_word(&load.name).to_owned()))
 }
 
 /// A letter for a load: by its name, and by its mass where several carry it.
@@ -103,10 +115,12 @@ impl OneLoad<'_> {
 
     /// φ of the loaded mass, as its section calls it.
     fn displacement(&self) -> Symbol {
-        match self.model.nodes[self.load.node].motion {
+        match self.model.nodes[self.model.owner_of_load(self.load)].motion {
             NodeMotion::Mass { .. } => of_mass("φ", self.mass),
             NodeMotion::Rotor { .. } => symbol("φ", Index::None),
-            _ => of_object("φ", self.model, self.object),
+            NodeMotion::Prescribed { .. }
+            | NodeMotion::Rigid { .. }
+            | NodeMotion::Constrained { .. } => of_object("φ", self.model, self.object),
         }
     }
 
@@ -126,6 +140,10 @@ impl OneLoad<'_> {
                 Expr::sum([vec![Expr::Number(own.force)], parts.to_vec()].concat())
             }),
             LoadLaw::Stop(stop) => return self.add_stop(*stop, phi, section),
+            LoadLaw::Dry(friction) => {
+                let speed = self.sliding_speed(rate, section);
+                self.dry_friction(friction, speed, section)
+            }
             LoadLaw::Function { function, .. } => self
                 .declared([phi, rate], section)
                 .unwrap_or_else(|| Expr::Words(function.description())),
@@ -202,6 +220,60 @@ impl OneLoad<'_> {
             (Expr::Number(0.0), Expr::Words("otherwise".into())),
         ]);
         section.line(self.letter("W"), law, self.remark.clone());
+    }
+
+    /// The speed against which dry friction acts: the own one, or that relative to what it rubs on.
+    fn sliding_speed(&self, own: Symbol, section: &mut Section) -> Symbol {
+        let Some([_, other]) = self.model.rubbing_nodes(self.load.node) else {
+            return own;
+        };
+        let mut parts = self.model.objects.iter();
+        let object = parts.position(|part| part.nodes.contains(&other));
+        let other = of_object("φ", self.model, object.unwrap_or(self.object)).rate();
+        let speed = self.letter("w");
+        section.line(speed.clone(), own.expr().minus(other), "sliding speed");
+        speed
+    }
+
+    /// Dry friction: against what slides, and whatever holds what rests.
+    fn dry_friction(&self, friction: &DryFriction, rate: Symbol, section: &mut Section) -> Expr {
+        let unit = units(self.part().coordinate);
+        let (sliding, most) = (self.letter("R"), self.letter("S"));
+        let mut symbols = vec![rate.clone(), sliding.clone(), most.clone()];
+        section.add_entry(sliding, friction.sliding, unit.force, "sliding friction");
+        let meaning = "greatest friction at rest";
+        section.add_entry(most.clone(), friction.static_limit, unit.force, meaning);
+        let formulas = match friction.stribeck_speed {
+            None => ["-R", "R"],
+            Some(speed) => {
+                let width = self.letter("v");
+                section.add_entry(
+                    width.clone(),
+                    speed,
+                    unit.of(Measure::Speed),
+                    "Stribeck speed",
+                );
+                symbols.push(width);
+                ["-(R + (S - R)*exp(-w/v))", "R + (S - R)*exp(w/v)"]
+            }
+        };
+        let names = ["w", "R", "S", "v"];
+        let law = |text: &str| {
+            let formula = Expression::new(text, &names[..symbols.len()]).ok()?;
+            of_program(&formula.program().value, &|index| {
+                symbols[index].clone().expr()
+            })
+        };
+        let [forwards, backwards] =
+            formulas.map(|text| law(text).unwrap_or_else(|| Expr::Words(text.to_owned())));
+        let zero = || Expr::Number(0.0);
+        let moves = |relation| rate.clone().expr().compare(relation, zero());
+        let held = format!("what holds it, at most {}", most.expr().unicode());
+        Expr::Cases(vec![
+            (forwards, moves(Relation::Greater)),
+            (backwards, moves(Relation::Less)),
+            (Expr::Words(held), Expr::Words("at rest".into())),
+        ])
     }
 
     /// A law as it is declared: its formula, its numbers as entries.
@@ -336,9 +408,25 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
             stop_words(stop, coordinate),
             contact_summary(stop.law, stop.stiffness, coordinate)
         ),
+        LoadLaw::Dry(friction) => dry_words(friction, coordinate),
         LoadLaw::Function { function, .. } => function.description(),
         LoadLaw::Written(written) => format!("expression: {}", written.expression.text()),
     }
+}
+
+/// Dry friction in a few words.
+fn dry_words(friction: &DryFriction, coordinate: Coordinate) -> String {
+    let unit = units(coordinate);
+    let force = |value: f64| with_unit(value, unit.force, 6);
+    let mut words = format!("dry friction, sliding {}", force(friction.sliding));
+    if friction.static_limit != friction.sliding {
+        words += &format!(", at rest up to {}", force(friction.static_limit));
+    }
+    if let Some(speed) = friction.stribeck_speed {
+        let speed = with_unit(speed, unit.of(Measure::Speed), 6);
+        words += &format!(", falling over {speed}");
+    }
+    words
 }
 
 /// The words of a declared law, with its numbers.

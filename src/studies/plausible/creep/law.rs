@@ -117,7 +117,7 @@ pub(super) fn frictions(model: &Model, object: usize) -> Vec<Friction<'_>> {
 fn friction(law: &LoadLaw, node: NodeIndex) -> Vec<Friction<'_>> {
     // (All laws by name: a new one is not taken for one without friction.)
     match law {
-        LoadLaw::Function { function, factor } => match function.dry_friction() {
+        LoadLaw::Function { function, factor } => match function.regularised_friction() {
             Some([force, width]) if force * factor != 0.0 => vec![Friction::Stated {
                 force: (force * factor).abs(),
                 width,
@@ -125,7 +125,10 @@ fn friction(law: &LoadLaw, node: NodeIndex) -> Vec<Friction<'_>> {
             _ => Vec::new(),
         },
         LoadLaw::Written(load) => frictions_of_expression(load, node),
-        LoadLaw::Linear(_) | LoadLaw::Pieces { .. } | LoadLaw::Stop(_) => Vec::new(),
+        // (Dry friction sticks and does not creep.)
+        LoadLaw::Linear(_) | LoadLaw::Pieces { .. } | LoadLaw::Stop(_) | LoadLaw::Dry(_) => {
+            Vec::new()
+        }
     }
 }
 

@@ -1,0 +1,248 @@
+//! The forces of contacts at rest within an evaluation.
+
+use super::{DryContact, Source};
+use crate::dynamics::system::frozen::Frozen;
+use crate::dynamics::system::passes::{Extent, Work};
+use crate::math::quantity::Quantity;
+
+/// Share of the greatest diagonal that is added to it where several contacts are decided
+/// together, so that those which hold the same motion share the force in the proportion of their
+/// limits; and rounds of refinement, which leave no error of it.
+const SHARED: f64 = 1e-8;
+const REFINED: usize = 8;
+
+/// Working arrays of dry contacts (m).
+#[derive(Clone, Debug)]
+pub(in crate::dynamics::system) struct DryWork<N> {
+    /// Of every contact ∂w/∂(speed of each ancestor).
+    pub(super) rates: Vec<Vec<N>>,
+    /// Numbers of the contacts that are held.
+    pub(super) held: Vec<usize>,
+    /// D·A·D of these with D their limits, then its factors (m × m).
+    matrix: Vec<N>,
+    /// A·D of these, as it is (m × m).
+    plain: Vec<N>,
+    /// Accelerations that are left, and shares of the limits (m).
+    left: Vec<N>,
+    rest: Vec<N>,
+    pub(super) share: Vec<N>,
+}
+
+impl<N: Quantity> DryWork<N> {
+    pub(in crate::dynamics::system) fn new(frozen: &Frozen) -> Self {
+        let zero = N::from(0.0);
+        let count = frozen.dry.len();
+        let rates = |contact: &DryContact| vec![zero; contact.ancestors.len()];
+        Self {
+            rates: frozen.dry.iter().map(rates).collect(),
+            held: Vec::with_capacity(count),
+            matrix: vec![zero; count * count],
+            plain: vec![zero; count * count],
+            left: vec![zero; count],
+            rest: vec![zero; count],
+            share: vec![zero; count],
+        }
+    }
+}
+
+/// Adds the forces of contacts at rest, so that their nodes stay at rest.
+pub(in crate::dynamics::system) fn hold_all<N: Quantity>(
+    frozen: &Frozen,
+    state: &[N],
+    modes: &[i64],
+    extent: Extent,
+    work: &mut Work<N>,
+    out: &mut [N],
+) {
+    work.dry.held.clear();
+    for (index, contact) in frozen.dry.iter().enumerate() {
+        if contact.is_stuck(modes) {
+            work.dry.held.push(index);
+        }
+    }
+    if work.dry.held.is_empty() {
+        return;
+    }
+    frozen.accelerate(state, extent, work, out);
+    solve_held(frozen, work);
+    for k in 0..work.dry.held.len() {
+        let index = work.dry.held[k];
+        let force = work.dry.share[k].scale(frozen.dry[index].friction.static_limit);
+        push(frozen, index, force, work);
+    }
+}
+
+/// Adds a force on the node of a contact, and on all that moves it; needs its rates.
+pub(super) fn push<N: Quantity>(frozen: &Frozen, index: usize, force: N, work: &mut Work<N>) {
+    let contact = &frozen.dry[index];
+    work.loads[contact.load] += force;
+    for (ancestor, &rate) in contact.ancestors.iter().zip(&work.dry.rates[index]) {
+        work.force[ancestor.node] += rate * force;
+    }
+}
+
+/// The shares of their limits with which the contacts in `held` hold their nodes, the
+/// accelerations without them being known.
+pub(super) fn solve_held<N: Quantity>(frozen: &Frozen, work: &mut Work<N>) {
+    let count = work.dry.held.len();
+    for k in 0..count {
+        find_rates(frozen, work.dry.held[k], work);
+    }
+    for row in 0..count {
+        let one = work.dry.held[row];
+        for column in 0..count {
+            let other = work.dry.held[column];
+            let limit = frozen.dry[other].friction.static_limit;
+            work.dry.plain[row * count + column] =
+                mobility(frozen, [one, other], work).scale(limit);
+        }
+        work.dry.left[row] = -work.acceleration[frozen.dry[one].node];
+        work.dry.share[row] = N::from(0.0);
+    }
+    let together = factorise_held(frozen, count, work);
+    for _ in 0..if together { REFINED } else { 1 } {
+        refine(frozen, count, work);
+    }
+}
+
+/// Factors of the matrix of the contacts that are held; whether several are decided together.
+fn factorise_held<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>) -> bool {
+    let DryWork {
+        held,
+        matrix,
+        plain,
+        ..
+    } = &mut work.dry;
+    let limit = |row: usize| frozen.dry[held[row]].friction.static_limit;
+    let mut together = false;
+    for row in 0..count {
+        // The greatest diagonal among those that are decided together with it.
+        let (mut greatest, mut alone) = (0.0f64, true);
+        for other in 0..count {
+            if frozen.dry[held[other]].set == frozen.dry[held[row]].set {
+                let diagonal = limit(other) * plain[other * count + other].value();
+                greatest = greatest.max(diagonal);
+                alone &= other == row;
+            }
+        }
+        for column in 0..count {
+            matrix[row * count + column] = plain[row * count + column].scale(limit(row));
+        }
+        if !alone {
+            matrix[row * count + row] += N::from(SHARED * greatest);
+            together = true;
+        }
+    }
+    eliminate(matrix, count);
+    together
+}
+
+/// One round of refinement of the shares.
+fn refine<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>) {
+    let DryWork {
+        held,
+        matrix,
+        plain,
+        left,
+        rest,
+        share,
+        ..
+    } = &mut work.dry;
+    for row in 0..count {
+        // What is left of the acceleration, scaled by the limit.
+        let mut sum = left[row];
+        for column in 0..count {
+            sum += -(plain[row * count + column] * share[column]);
+        }
+        rest[row] = sum.scale(frozen.dry[held[row]].friction.static_limit);
+    }
+    substitute(matrix, &mut rest[..count]);
+    for (share, &change) in share.iter_mut().zip(&rest[..count]) {
+        *share += change;
+    }
+}
+
+/// ∂w/∂(speed of each ancestor) of a contact, at the motion that is in `work`.
+pub(super) fn find_rates<N: Quantity>(frozen: &Frozen, index: usize, work: &mut Work<N>) {
+    let contact = &frozen.dry[index];
+    let mut rates = std::mem::take(&mut work.dry.rates[index]);
+    rates.fill(N::from(0.0));
+    rates[0] = N::from(1.0);
+    for (place, ancestor) in contact.ancestors.iter().enumerate() {
+        let own = rates[place];
+        match &ancestor.source {
+            Source::Root { .. } => {}
+            Source::Law { law, driver } => rates[*driver] += work.laws[*law].first * own,
+            Source::Constraint { index, drivers } => {
+                let first = &work.constraints[*index].first;
+                for (&driver, &first) in drivers.iter().zip(first) {
+                    rates[driver] += first * own;
+                }
+            }
+        }
+    }
+    work.dry.rates[index] = rates;
+}
+
+/// Acceleration of the node of one contact by a unit force on that of another.
+pub(super) fn mobility<N: Quantity>(
+    frozen: &Frozen,
+    [one, other]: [usize; 2],
+    work: &Work<N>,
+) -> N {
+    let mut sum = N::from(0.0);
+    if frozen.dry[one].set != frozen.dry[other].set {
+        return sum;
+    }
+    for own in frozen.dry[one].free_roots() {
+        let root = frozen.dry[one].ancestors[own].node;
+        for its in frozen.dry[other].free_roots() {
+            if frozen.dry[other].ancestors[its].node == root {
+                let rates = work.dry.rates[one][own] * work.dry.rates[other][its];
+                sum += rates / root_mass(frozen, root, work);
+            }
+        }
+    }
+    sum
+}
+
+/// Inertia of a free node with all that follows it rigidly.
+pub(super) fn root_mass<N: Quantity>(frozen: &Frozen, root: usize, work: &Work<N>) -> N {
+    match frozen.rigids.is_empty() && frozen.constraints.is_empty() {
+        true => N::from(frozen.inertia[root]),
+        false => work.mass[root],
+    }
+}
+
+/// L·D·Lᵀ of a symmetric positive matrix, in its lower half.
+fn eliminate<N: Quantity>(matrix: &mut [N], count: usize) {
+    for pivot in 0..count {
+        for row in pivot + 1..count {
+            let factor = matrix[row * count + pivot] / matrix[pivot * count + pivot];
+            for column in pivot + 1..=row {
+                let entry = matrix[column * count + pivot];
+                matrix[row * count + column] += -(factor * entry);
+            }
+        }
+        for row in pivot + 1..count {
+            let factor = matrix[row * count + pivot] / matrix[pivot * count + pivot];
+            matrix[row * count + pivot] = factor;
+        }
+    }
+}
+
+/// Solves with the factors of [`eliminate`].
+fn substitute<N: Quantity>(factors: &[N], right: &mut [N]) {
+    let count = right.len();
+    for row in 0..count {
+        for column in 0..row {
+            right[row] = right[row] - factors[row * count + column] * right[column];
+        }
+    }
+    for row in (0..count).rev() {
+        right[row] = right[row] / factors[row * count + row];
+        for below in row + 1..count {
+            right[row] = right[row] - factors[below * count + row] * right[below];
+        }
+    }
+}
