@@ -13,7 +13,10 @@ use nalgebra::{DMatrix, DVector};
 
 /// Speeds at t = 0 below this share of what they are the sum of are rest.
 const AT_REST: f64 = 1e-13;
-/// The same where a contact comes to rest with another.
+/// Most that the speed of a contact that has just stopped may be off, as a share of the scale of
+/// the speeds that it is made of.
+const LEFT: f64 = 1e-6;
+/// Speeds below this share of what they are the sum of are rest, where another contact stops.
 const ROUNDING: f64 = 1e-12;
 
 /// How far a contact at rest is beyond its limit, as a share of it: positive where it breaks
@@ -48,11 +51,12 @@ fn unheld(frozen: &Frozen, index: usize, work: &Work<f64>) -> f64 {
 /// Contacts with what their forces do, none of them having any; takes the speeds of their
 /// nodes out of the state.
 fn bring_to_rest(
-    frozen: &Frozen,
+    system: &System,
     contacts: Vec<usize>,
     (time, y): (f64, &mut [f64]),
     modes: &mut [i64],
 ) -> AtRest {
+    let frozen = &system.frozen;
     let mut work = Work::new(frozen);
     let mut out = vec![0.0; frozen.coordinates];
     for &contact in &contacts {
@@ -78,10 +82,21 @@ fn bring_to_rest(
         && speeds.amax() > 0.0
         && shares.iter().all(|share| share.is_finite())
     {
+        let mut stopped = y.to_vec();
         for (k, &contact) in contacts.iter().enumerate() {
-            change_speeds(frozen, contact, -limits[k] * shares[k], y, &work);
+            let impulse = -limits[k] * shares[k];
+            change_speeds(frozen, contact, impulse, &mut stopped, &work);
         }
-        frozen.evaluate(time, y, modes, Extent::Full, &mut work, &mut out);
+        let scales = system.scales_of_state();
+        let moved = y.iter().zip(&stopped).zip(scales);
+        // (More than that is no rest: the ratio vanishes in a dead centre, and the shaft goes on.)
+        if moved
+            .into_iter()
+            .all(|((y, stopped), scale)| (y - stopped).abs() <= LEFT * scale)
+        {
+            y.copy_from_slice(&stopped);
+            frozen.evaluate(time, y, modes, Extent::Full, &mut work, &mut out);
+        }
     }
     let begins = contacts.iter().map(|&contact| {
         let friction = &frozen.dry[contact].friction;
@@ -135,7 +150,7 @@ pub(in crate::dynamics::system) fn decide_on(
         .filter(|&index| resting(&dry[index]))
         .collect();
     loop {
-        let at_rest = bring_to_rest(&system.frozen, contacts.clone(), (time, y), modes);
+        let at_rest = bring_to_rest(system, contacts.clone(), (time, y), modes);
         let more = also_at_rest(&system.frozen, (set, &contacts), (time, y), modes);
         if more.is_empty() {
             return go_on(system, &at_rest, time, modes);
@@ -261,7 +276,7 @@ pub(in crate::dynamics::system) fn settle(system: &System, y: &mut [f64], modes:
         let own = |index: &usize| frozen.dry[*index].set == set;
         let contacts = resting.iter().copied().filter(own).collect();
         // An undetermined start ends the run at once, with its reason.
-        let at_rest = bring_to_rest(frozen, contacts, (0.0, y), modes);
+        let at_rest = bring_to_rest(system, contacts, (0.0, y), modes);
         let _ = go_on(system, &at_rest, 0.0, modes);
     }
 }
