@@ -375,6 +375,38 @@ fn two_clutches_that_stick_at_once_carry_their_shares() {
     near(speeds([1.6, 0.7]), [2.0 * 1.4, 2.0 * 0.9, 1.4]);
 }
 
+/// A crank that runs out, its rigid ram rubbing: on a dead centre the ram stops, the crank does not.
+#[test]
+fn a_rigid_ram_turns_in_its_dead_centres_and_stops_its_crank() {
+    let text = |friction: &str| {
+        format!(
+            r#"{{ "dam": 1, "name": "friction", "objects": {{
+                "main": {{ "kind": "drive",
+                    "motor": {{ "inertia": 0.05, "speed": 10, "torque": {{ "constant": 0 }} }} }},
+                "ram": {{ "kind": "slider", "input": "main", "masses": 0, "inertia": 2,
+                    "position": {{ "slider_crank": {{ "crank": 0.05, "rod": 0.2 }} }},
+                    "loads": {{ "gib": {{ "friction": {friction} }} }} }} }},
+                "run": {{ "duration": 1 }} }}"#
+        )
+    };
+    // All of ½·0.05·10² J goes into friction of 20 N; at the start the ram stands in a dead centre.
+    let dry = system(&text(r#"{ "sliding": 20, "static": 30 }"#));
+    let smooth = system(&text(r#"{ "force": 20, "width": 1e-6 }"#));
+    let smooth = ran(&smooth, Method::Radau, 3.0, 1e-10);
+    for method in [Method::Radau, Method::Dop853] {
+        let result = ran(&dry, method, 3.0, 1e-10);
+        let rubs = figures(&result, "ram").joints.expect("friction");
+        assert!(
+            (rubs.friction_loss - 2.5).abs() < 1e-7,
+            "{method:?} {}",
+            rubs.friction_loss
+        );
+        assert_eq!(rubs.standstills, 2, "{method:?}");
+        let [place, near] = [&result, &smooth].map(|run| figures(run, "main").end.displacement);
+        assert!((place - near).abs() < 1e-5, "{method:?} {place} {near}");
+    }
+}
+
 #[test]
 fn random_chains_keep_their_balance_and_methods_agree() {
     let mut seed = 7u64;

@@ -7,64 +7,62 @@ use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::NodeMotion;
 use crate::dynamics::system::StickSlip;
 
-impl Judge<'_> {
-    /// Puts the dry contacts at a drawn instant to the test. (That their forces leave the
-    /// equations of motion balanced is looked at with these.)
-    pub(super) fn judge_dry_friction(&mut self, look: &DrawnInstant) {
-        let contacts = self.mechanics.dry_contacts();
-        let window = &look.windows[0];
-        let middle = window.times.len() / 2;
-        let (time, y) = (window.times[middle], &window.states[middle]);
-        if contacts.is_empty() {
-            return;
+/// Puts the dry contacts at a drawn instant to the test. (That their forces leave the
+/// equations of motion balanced is looked at with these.)
+pub(super) fn judge(judge: &mut Judge<'_>, look: &DrawnInstant) {
+    let contacts = judge.mechanics.dry_contacts();
+    let window = &look.windows[0];
+    let middle = window.times.len() / 2;
+    let (time, y) = (window.times[middle], &window.states[middle]);
+    if contacts.is_empty() {
+        return;
+    }
+    judge.mechanics.take_state(time, y, &look.modes.0);
+    for (node, friction, component) in contacts {
+        let speed = judge.mechanics.nodes[node].motion[1];
+        let greatest = speed_resolved(judge, node);
+        let bound = judge.bound();
+        let name = (time, judge.names[node].as_str());
+        let state = component.map(|component| StickSlip::of(look.modes.0[component]));
+        let back = match state {
+            Some(StickSlip::Stuck) => speed.abs(),
+            Some(StickSlip::Forward) => -speed,
+            Some(StickSlip::Backward) => speed,
+            Some(StickSlip::Unset) => f64::NAN,
+            None => continue,
+        };
+        if greatest > 0.0 || !(back <= 0.0) {
+            let what = "direction of dry friction";
+            (judge.found).include(back.max(0.0) / greatest, bound, name, what);
         }
-        self.mechanics.take_state(time, y, &look.modes.0);
-        for (node, friction, component) in contacts {
-            let speed = self.mechanics.nodes[node].motion[1];
-            let greatest = self.speed_resolved(node);
-            let bound = self.bound();
-            let name = (time, self.names[node].as_str());
-            let state = component.map(|component| StickSlip::of(look.modes.0[component]));
-            let back = match state {
-                Some(StickSlip::Stuck) => speed.abs(),
-                Some(StickSlip::Forward) => -speed,
-                Some(StickSlip::Backward) => speed,
-                Some(StickSlip::Unset) => f64::NAN,
-                None => continue,
-            };
-            if greatest > 0.0 || !(back <= 0.0) {
-                let what = "direction of dry friction";
-                (self.found).include(back.max(0.0) / greatest, bound, name, what);
-            }
-            if state == Some(StickSlip::Stuck) {
-                let force = self.mechanics.held_force(node).abs();
-                let beyond = force / friction.static_limit - 1.0;
-                (self.found).include(beyond.max(0.0), bound, name, "limit of dry friction");
-            }
+        if state == Some(StickSlip::Stuck) {
+            let force = judge.mechanics.held_force(node).abs();
+            let beyond = force / friction.static_limit - 1.0;
+            (judge.found).include(beyond.max(0.0), bound, name, "limit of dry friction");
         }
     }
+}
 
-    /// What a sliding speed is measured by: the greatest one of its node, of what this is the sum
-    /// of, and what a run resolves of it.
-    fn speed_resolved(&self, node: usize) -> f64 {
-        let model = self.system.model();
-        let drivers = match &model.nodes[node].motion {
-            NodeMotion::Constrained { drivers, .. } => drivers.clone(),
-            NodeMotion::Prescribed { .. }
-            | NodeMotion::Rotor { .. }
-            | NodeMotion::Mass { .. }
-            | NodeMotion::Rigid { .. } => Vec::new(),
-        };
-        let scales = self.system.scales();
-        let own = |node: usize| {
-            let resolved = self.mechanics.coordinate[node]
-                .map_or(0.0, |own| scales[self.system.coordinates() + own]);
-            self.scales.motion[node][1].max(resolved)
-        };
-        drivers
-            .into_iter()
-            .chain([node])
-            .map(own)
-            .fold(0.0, f64::max)
-    }
+/// What a sliding speed is measured by: the greatest one of its node, of what this is the sum
+/// of, and what a run resolves of it.
+fn speed_resolved(judge: &Judge<'_>, node: usize) -> f64 {
+    let model = judge.system.model();
+    let drivers = match &model.nodes[node].motion {
+        NodeMotion::Constrained { drivers, .. } => drivers.clone(),
+        NodeMotion::Prescribed { .. }
+        | NodeMotion::Rotor { .. }
+        | NodeMotion::Mass { .. }
+        | NodeMotion::Rigid { .. } => Vec::new(),
+    };
+    let scales = judge.system.scales();
+    let own = |node: usize| {
+        let resolved = judge.mechanics.coordinate[node]
+            .map_or(0.0, |own| scales[judge.system.coordinates() + own]);
+        judge.scales.motion[node][1].max(resolved)
+    };
+    drivers
+        .into_iter()
+        .chain([node])
+        .map(own)
+        .fold(0.0, f64::max)
 }

@@ -309,7 +309,7 @@ impl<'s> Judge<'s> {
             }
         }
         self.judge_contacts(look);
-        self.judge_dry_friction(look);
+        super::friction::judge(self, look);
         self.judge_sums(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {

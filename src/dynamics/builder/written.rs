@@ -156,16 +156,13 @@ impl ModelBuilder {
     /// Remembers that the load added last looks at another object.
     pub(super) fn wait_for(&mut self, path: &str, over: Option<&String>) {
         let last = self.model.loads.len().checked_sub(1);
-        if let (Some(over), Some(load)) = (over, last)
-            && let Some(what) = match &self.model.loads[load].law {
-                LoadLaw::Written(_) => Some(ReferenceKind::Load(load)),
-                LoadLaw::Dry(_) => Some(ReferenceKind::Friction(load)),
-                LoadLaw::Linear(_)
-                | LoadLaw::Pieces { .. }
-                | LoadLaw::Stop(_)
-                | LoadLaw::Function { .. } => None,
-            }
-        {
+        if let (Some(over), Some(load)) = (over, last) {
+            let law = &self.model.loads[load].law;
+            let what = match (law.expression_load(), law.dry_friction()) {
+                (Some(_), _) => ReferenceKind::Load(load),
+                (None, Some(_)) => ReferenceKind::Friction(load),
+                (None, None) => return,
+            };
             self.waiting.push(PendingReference {
                 what,
                 over: over.clone(),

@@ -35,16 +35,18 @@ impl AtRest {
             return Some(shares);
         }
         let left = &self.free + &self.mobility * &shares;
+        // The roots of the limits as weights: what holds the same motion has the same share.
+        let weight = |k: usize| self.limits[stuck[k]].sqrt();
         let own = |row: usize, column: usize| {
-            self.limits[stuck[row]] * self.mobility[(stuck[row], stuck[column])]
+            weight(row) * self.mobility[(stuck[row], stuck[column])] / weight(column)
         };
         let matrix = DMatrix::from_fn(stuck.len(), stuck.len(), own);
-        let right = DVector::from_fn(stuck.len(), |k, _| -self.limits[stuck[k]] * left[stuck[k]]);
+        let right = DVector::from_fn(stuck.len(), |k, _| -weight(k) * left[stuck[k]]);
         let singular = matrix.clone().svd(true, true);
         let least = SINGULAR * singular.singular_values.max();
         let found = singular.solve(&right, least).ok()?;
         for (k, &place) in stuck.iter().enumerate() {
-            shares[place] = found[k];
+            shares[place] = found[k] / weight(k);
         }
         let rest = &matrix * &found - &right;
         let held = rest.amax() <= UNHELD * right.amax();

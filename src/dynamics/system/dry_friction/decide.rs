@@ -16,6 +16,8 @@ const AT_REST: f64 = 1e-13;
 /// Most that the speed of a contact that has just stopped may be off, as a share of the scale of
 /// the speeds that it is made of.
 const LEFT: f64 = 1e-6;
+/// Rounds in which the rounding of speeds is taken away.
+const ROUNDS: usize = 8;
 /// Speeds below this share of what they are the sum of are rest, where another contact stops.
 const ROUNDING: f64 = 1e-12;
 
@@ -87,13 +89,8 @@ fn bring_to_rest(
             let impulse = -limits[k] * shares[k];
             change_speeds(frozen, contact, impulse, &mut stopped, &work);
         }
-        let scales = system.scales_of_state();
-        let moved = y.iter().zip(&stopped).zip(scales);
         // (More than that is no rest: the ratio vanishes in a dead centre, and the shaft goes on.)
-        if moved
-            .into_iter()
-            .all(|((y, stopped), scale)| (y - stopped).abs() <= LEFT * scale)
-        {
+        if is_rounding(system, y, &stopped) {
             y.copy_from_slice(&stopped);
             frozen.evaluate(time, y, modes, Extent::Full, &mut work, &mut out);
         }
@@ -111,6 +108,12 @@ fn bring_to_rest(
         mobility,
         limits,
     }
+}
+
+/// True where two states differ by no more than what has just stopped may be off.
+fn is_rounding(system: &System, one: &[f64], other: &[f64]) -> bool {
+    let mut pairs = one.iter().zip(other).zip(system.scales_of_state());
+    pairs.all(|((one, other), scale)| (one - other).abs() <= LEFT * scale)
 }
 
 /// What an impulse on the node of a contact does to the speeds of the state.
@@ -153,7 +156,7 @@ pub(in crate::dynamics::system) fn decide_on(
         let at_rest = bring_to_rest(system, contacts.clone(), (time, y), modes);
         let more = also_at_rest(&system.frozen, (set, &contacts), (time, y), modes);
         if more.is_empty() {
-            return go_on(system, &at_rest, time, modes);
+            return go_on(system, &at_rest, (time, y), modes);
         }
         contacts.extend(more);
     }
@@ -196,7 +199,7 @@ fn speed_size(frozen: &Frozen, index: usize, work: &mut Work<f64>) -> f64 {
 fn go_on(
     system: &System,
     at_rest: &AtRest,
-    time: f64,
+    (time, y): (f64, &mut [f64]),
     modes: &mut [i64],
 ) -> Result<(), PhysicalStop> {
     let decided = at_rest.decide();
@@ -213,8 +216,43 @@ fn go_on(
         }
     }
     match decided {
-        Ok(_) => Ok(()),
+        Ok(senses) => {
+            set_out(system, (at_rest, &senses), (time, y), modes);
+            Ok(())
+        }
         Err(alike) => Err(undecided(system, at_rest.contacts[0], time, alike)),
+    }
+}
+
+/// What sets out to one side does not move to the other, by rounding.
+fn set_out(
+    system: &System,
+    (at_rest, senses): (&AtRest, &[i8]),
+    (time, y): (f64, &mut [f64]),
+    modes: &[i64],
+) {
+    let frozen = &system.frozen;
+    let mut work = Work::new(frozen);
+    for round in 0..ROUNDS {
+        let mut back = false;
+        for (k, &contact) in at_rest.contacts.iter().enumerate() {
+            frozen.motion(time, y, modes, Extent::Full, &mut work);
+            find_rates(frozen, contact, &mut work);
+            let speed = work.speed[frozen.dry[contact].node];
+            let mobility = at_rest.mobility[(k, k)] / at_rest.limits[k];
+            if speed * f64::from(senses[k]) < 0.0 && mobility > 0.0 {
+                let change = -speed * f64::from(1 << round);
+                let mut turned = y.to_vec();
+                change_speeds(frozen, contact, change / mobility, &mut turned, &work);
+                if is_rounding(system, y, &turned) {
+                    y.copy_from_slice(&turned);
+                    back = true;
+                }
+            }
+        }
+        if !back {
+            return;
+        }
     }
 }
 
@@ -277,7 +315,7 @@ pub(in crate::dynamics::system) fn settle(system: &System, y: &mut [f64], modes:
         let contacts = resting.iter().copied().filter(own).collect();
         // An undetermined start ends the run at once, with its reason.
         let at_rest = bring_to_rest(system, contacts, (0.0, y), modes);
-        let _ = go_on(system, &at_rest, 0.0, modes);
+        let _ = go_on(system, &at_rest, (0.0, y), modes);
     }
 }
 

@@ -6,8 +6,8 @@ use crate::dynamics::system::passes::{Extent, Work};
 use crate::math::quantity::Quantity;
 
 /// Share of the greatest diagonal that is added to it where several contacts are decided
-/// together, so that those which hold the same motion share the force in the proportion of their
-/// limits; and rounds of refinement, which leave no error of it.
+/// together, and rounds of refinement, which leave no error of it. With the roots of the limits as
+/// weights, contacts that hold the same motion share the force in the proportion of their limits.
 const SHARED: f64 = 1e-8;
 const REFINED: usize = 8;
 
@@ -18,7 +18,7 @@ pub(in crate::dynamics::system) struct DryWork<N> {
     pub(super) rates: Vec<Vec<N>>,
     /// Numbers of the contacts that are held.
     pub(super) held: Vec<usize>,
-    /// D·A·D of these with D their limits, then its factors (m × m).
+    /// D·A·D of these with D the roots of their limits, then its factors (m × m).
     matrix: Vec<N>,
     /// A·D of these, as it is (m × m).
     plain: Vec<N>,
@@ -92,9 +92,9 @@ pub(super) fn solve_held<N: Quantity>(frozen: &Frozen, work: &mut Work<N>) {
         let one = work.dry.held[row];
         for column in 0..count {
             let other = work.dry.held[column];
-            let limit = frozen.dry[other].friction.static_limit;
+            let weight = weight(frozen, other);
             work.dry.plain[row * count + column] =
-                mobility(frozen, [one, other], work).scale(limit);
+                mobility(frozen, [one, other], work).scale(weight);
         }
         work.dry.left[row] = -work.acceleration[frozen.dry[one].node];
         work.dry.share[row] = N::from(0.0);
@@ -103,6 +103,15 @@ pub(super) fn solve_held<N: Quantity>(frozen: &Frozen, work: &mut Work<N>) {
     for _ in 0..if together { REFINED } else { 1 } {
         refine(frozen, count, work);
     }
+    for k in 0..count {
+        let weight = weight(frozen, work.dry.held[k]);
+        work.dry.share[k] = work.dry.share[k].scale(1.0 / weight);
+    }
+}
+
+/// Weight of a contact among those that hold the same motion: the root of its limit.
+fn weight(frozen: &Frozen, contact: usize) -> f64 {
+    frozen.dry[contact].friction.static_limit.sqrt()
 }
 
 /// Factors of the matrix of the contacts that are held; whether several are decided together.
@@ -113,20 +122,20 @@ fn factorise_held<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>
         plain,
         ..
     } = &mut work.dry;
-    let limit = |row: usize| frozen.dry[held[row]].friction.static_limit;
+    let weights = |row: usize| weight(frozen, held[row]);
     let mut together = false;
     for row in 0..count {
         // The greatest diagonal among those that are decided together with it.
         let (mut greatest, mut alone) = (0.0f64, true);
         for other in 0..count {
             if frozen.dry[held[other]].set == frozen.dry[held[row]].set {
-                let diagonal = limit(other) * plain[other * count + other].value();
+                let diagonal = weights(other) * plain[other * count + other].value();
                 greatest = greatest.max(diagonal);
                 alone &= other == row;
             }
         }
         for column in 0..count {
-            matrix[row * count + column] = plain[row * count + column].scale(limit(row));
+            matrix[row * count + column] = plain[row * count + column].scale(weights(row));
         }
         if !alone {
             matrix[row * count + row] += N::from(SHARED * greatest);
@@ -149,12 +158,12 @@ fn refine<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>) {
         ..
     } = &mut work.dry;
     for row in 0..count {
-        // What is left of the acceleration, scaled by the limit.
+        // What is left of the acceleration, weighted.
         let mut sum = left[row];
         for column in 0..count {
             sum += -(plain[row * count + column] * share[column]);
         }
-        rest[row] = sum.scale(frozen.dry[held[row]].friction.static_limit);
+        rest[row] = sum.scale(weight(frozen, held[row]));
     }
     substitute(matrix, &mut rest[..count]);
     for (share, &change) in share.iter_mut().zip(&rest[..count]) {
