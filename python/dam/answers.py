@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypedDict, Union, cast
 
-from dam import _dam
+from dam import _dam, _notebook
 
 if TYPE_CHECKING:
     import os
@@ -40,6 +40,7 @@ __all__ = [
     "Methods",
     "Optimum",
     "Orders",
+    "Page",
     "Record",
     "Reduction",
     "Requirements",
@@ -135,9 +136,35 @@ class Figures(Mapping[str, Figure]):
     def __len__(self) -> int:
         return len(self._figures)
 
+    def _repr_html_(self) -> str:
+        rows = [[name, f"{figure:.7g}", _off(figure), figure.unit] for name, figure in self.items()]
+        return _notebook.table((("figure", "value", "error", "unit"), rows))
+
     def __repr__(self) -> str:
         lines = (f"{name}: {figure!r}" for name, figure in self._figures.items())
         return "\n".join(lines)
+
+
+def _off(figure: Figure) -> str:
+    """How far a figure may be off, and how sure that is."""
+    error = "" if figure.error is None else f"± {figure.error:.2g} "
+    return error + ("" if figure.kind == "value" else figure.kind.replace("_", " "))
+
+
+class Page(str):
+    """A page of HTML. In a notebook it is shown with charts that can be zoomed, and the notebook
+    keeps all of it: often some hundred kB."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        import html
+
+        page = html.escape(self, quote=True)
+        return (
+            f'<iframe srcdoc="{page}" width="100%" height="640" '
+            'style="border: 0" sandbox="allow-scripts"></iframe>'
+        )
 
 
 class Verdict(NamedTuple):
@@ -264,8 +291,8 @@ class Record:
         return self._answer.arrow_c_stream()
 
     def plot(self, *names: str, axes: Axes | None = None) -> Axes:
-        """Draws columns over the index by matplotlib; without names those of the unit of the
-        first that is no displacement, speed or index."""
+        """Draws columns over the index by matplotlib; without names the deviations δ if something
+        is elastic, else how the objects are displaced, in the unit of the last of them."""
         import matplotlib.pyplot
 
         if axes is None:
@@ -288,8 +315,48 @@ class Record:
 
     def _usual(self) -> Sequence[str]:
         others = [name for name in self._places if name != self._index]
-        deltas = [name for name in others if name.endswith(".delta")]
-        return deltas or others[:1]
+        for ending, moving in ((".delta", ".delta"), (".displacement", ".acceleration")):
+            chosen = [
+                name
+                for name in others
+                if name.endswith(ending) and self._moves(name.removesuffix(ending) + moving)
+            ]
+            if chosen:
+                return [name for name in chosen if self._units[name] == self._units[chosen[-1]]]
+        return others[:1]
+
+    def _moves(self, name: str) -> bool:
+        if name not in self._places:
+            return False
+        values = self[name]
+        return bool((values[:1] != values).any())
+
+    def _chart(self) -> _notebook.Chart | None:
+        """The usual columns, for a notebook."""
+        names = self._usual()[:4]
+        if self._index is None or len(self) < 2 or not names:
+            return None
+        unit = self._units[self._index]
+        over = f"{self._index} ({unit})" if unit else self._index
+        values = {name: self[name] for name in names}
+        return _notebook.Curves(over, self[self._index], values, self._units[names[0]])
+
+    def _repr_html_(self) -> str:
+        names = list(self._places)[:10]
+        heads = [f"{name} ({self._units[name]})" if self._units[name] else name for name in names]
+        columns = [self[name] for name in names]
+        count = len(self)
+        places = [*range(min(count, 5)), *range(max(count - 3, 5), count)]
+        rows = [[f"{column[place]:.6g}" for column in columns] for place in places]
+        if count > 8:
+            rows.insert(5, ["…"] * len(names))
+        more = f"{count} rows, {len(self._places)} columns: <code>columns</code>."
+        body = _notebook.table((heads, rows))
+        return _notebook.shown("", "", "", (), body, self._chart(), more)
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        html, chart = self._repr_html_(), self._chart()
+        return _notebook.bundle(repr(self), html, chart, include, exclude)
 
     def __repr__(self) -> str:
         return f"Record of {len(self)} rows: {', '.join(self._places)}"
@@ -363,9 +430,9 @@ class Answer:
         """What the terminal shows, in that many characters a line."""
         return self._found.text(width)
 
-    def page(self) -> str:
+    def page(self) -> Page:
         """A page of HTML that needs no network: answer, figures, charts that can be zoomed."""
-        return self._found.page()
+        return Page(self._found.page())
 
     def save(self, path: str) -> None:
         """Writes the page into a file."""
@@ -380,14 +447,24 @@ class Answer:
         """See `Record.__arrow_c_stream__`."""
         return self._found.arrow_c_stream()
 
-    def _repr_html_(self) -> str:
-        import html
+    def _chart(self) -> _notebook.Chart | None:
+        """What is drawn of it in a notebook."""
+        return self.record._chart()
 
-        page = html.escape(self.page(), quote=True)
-        return (
-            f'<iframe srcdoc="{page}" width="100%" height="640" '
-            'style="border: 0" sandbox="allow-scripts"></iframe>'
+    def _body(self) -> str:
+        """What is shown of it in a notebook beside its chart."""
+        return _notebook.plain(self.text(100))
+
+    def _repr_html_(self) -> str:
+        sort, headline, text = self.verdict or ("", "", "")
+        more = "With charts that can be zoomed: <code>page()</code>."
+        return _notebook.shown(
+            headline, text, sort, self.warnings, self._body(), self._chart(), more
         )
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        html, chart = self._repr_html_(), self._chart()
+        return _notebook.bundle(repr(self), html, chart, include, exclude)
 
     def __repr__(self) -> str:
         verdict = self.verdict
@@ -435,6 +512,23 @@ class Run(Answer):
         perfectly good figures."""
         return self._trusted
 
+    def _body(self) -> str:
+        tables = [self._of_objects(heads) for heads in (_MOTION, _PAIRS)]
+        count = f"<p>{len(self.figures)} figures: <code>figures</code>.</p>"
+        return "".join(_notebook.table(one) for one in tables if one[1]) + count
+
+    def _of_objects(self, names: Sequence[str]) -> _notebook.Table:
+        """A row an object with figures of these names."""
+        figures = self.figures
+        known: dict[str, list[str]] = {}
+        for address in figures:
+            for place, name in enumerate(names):
+                if address.endswith(f".{name}"):
+                    row = known.setdefault(address.removesuffix(f".{name}"), [""] * len(names))
+                    row[place] = _brief(figures[address])
+        rows = [[identifier, *row] for identifier, row in known.items() if any(row)]
+        return ("object", *names), rows
+
     @property
     def spread(self) -> dict[str, FigureSpread] | None:
         """How far each figure moves under changes that should not matter, by its address;
@@ -447,6 +541,18 @@ class Run(Answer):
             row["figure"]: FigureSpread(row["by_loads"], row["by_tolerance"], row["determined"])
             for row in rows
         }
+
+
+_MOTION = ("delta_abs", "delta_max", "delta_min", "peak_speed", "peak_acceleration", "peak_reaction")
+_PAIRS = tuple(
+    f"pair.{name}"
+    for name in ("in_working_order", "separations", "separated_time", "max_contact_force")
+)
+
+
+def _brief(figure: Figure) -> str:
+    error = "" if figure.error is None else f" ± {figure.error:.1g}"
+    return f"{figure:.4g}{error} {figure.unit}".rstrip()
 
 
 class _SpreadRow(TypedDict):
@@ -551,6 +657,29 @@ class Map(Answer):
     def causes(self) -> list[str]:
         """Causes of the verdicts, row by row."""
         return [cause for _, cause, _, _ in self._verdicts]
+
+    def _body(self) -> str:
+        from collections import Counter
+
+        counts = Counter(self.judgements)
+        lines = [
+            f'<span style="color: {_notebook.colour_of(one)}">■</span> '
+            f"{(one or 'no such mechanism').replace('_', ' ')}: {count}"
+            for one, count in counts.most_common()
+        ]
+        return f"<p>{', '.join(lines)}</p>"
+
+    def _chart(self) -> _notebook.Chart | None:
+        x, y = (None if axis is None else _path(axis) for axis in self._axes)
+        if x is None or y is None:
+            values = self.values if self.panels else self.values[None]
+            names = self.panels or [self.figure]
+            curves = {name: values[place][0] for place, name in enumerate(names[:4])}
+            return _notebook.Curves(x or "", self.x, curves, self.unit)
+        rows, columns = self._shape
+        first = self.judgements[: rows * columns]
+        lines = [first[row * columns : (row + 1) * columns] for row in range(rows)]
+        return _notebook.Cells(x, y, self.x, self.y, lines)
 
     def to_xarray(self) -> xarray.Dataset:
         """One data set: value, verdict, cause and judgement over the parameters."""
@@ -671,6 +800,19 @@ class Linearisation(Answer):
 
 class FrequencyResponse(Answer):
     """Responses over the frequency: `record` has a row for each pair and frequency."""
+
+    def _chart(self) -> _notebook.Chart | None:
+        record = self.record
+        pairs = cast("list[dict[str, dict[str, str]]]", self.document["pairs"])
+        if not pairs or len(record) < 2 * len(pairs):
+            return None
+        gains = record["gain"].reshape(len(pairs), -1)
+        along = record["frequency"][: gains.shape[1]]
+        curves = {
+            f"{pair['output']['name']} by {pair['input']['name']}": gain
+            for pair, gain in zip(pairs[:4], gains)
+        }
+        return _notebook.Curves("frequency (Hz)", along, curves, "gain (dB)", is_logarithmic=True)
 
 
 class Orders(Answer):
