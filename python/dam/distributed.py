@@ -36,7 +36,16 @@ Rows = list[tuple[object, ...]]
 
 
 class Future(Protocol):
-    """A value that is being worked out."""
+    """A value that is being worked out.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> with ThreadPoolExecutor(1) as client:
+    ...     future = client.submit(max, 1, 2)
+    >>> future.add_done_callback(lambda done: print(done.result(), future.cancel()))
+    2 False
+    """
 
     def result(self) -> tuple[float, Rows]:
         """The value, or what was raised instead."""
@@ -52,7 +61,15 @@ class Future(Protocol):
 
 
 class Client(Protocol):
-    """Whoever works: an executor of `concurrent.futures`, or a `Client` of Dask."""
+    """Whoever works: an executor of `concurrent.futures`, or a `Client` of Dask.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> with ThreadPoolExecutor(2) as client:
+    ...     print(client.submit(max, 1, 2).result())
+    2
+    """
 
     @property
     def submit(self) -> Callable[..., Future]:
@@ -93,6 +110,15 @@ def map(
     workers
         How many chunks are worked on at once; default: what the client tells, else the
         number of processor cores.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> with ThreadPoolExecutor(2) as client:
+    ...     found = dam.distributed.map(scene, "rocker.inertia=0.05:0.1:4", client=client)
+    >>> dict(found.sizes), found["verdict"].values[0]
+    ({'rocker.inertia': 4}, 'in_working_order')
     """
     import numpy
     import xarray
@@ -143,6 +169,15 @@ def sweep(
 
     `figures` are addresses; default: the greatest |δ| of all objects. The others are as with
     `map`.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> with ThreadPoolExecutor(2) as client:
+    ...     found = dam.distributed.sweep(scene, {"rocker.inertia": [0.05, 0.1]}, client=client)
+    >>> found["rocker.delta_abs"].values.round(6).tolist()
+    [8.9e-05, 0.007501]
     """
     import hashlib
     import json
