@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypedDict, Union, cast
 
 from dam import _dam, _notebook
 
 if TYPE_CHECKING:
-    import os
-
     import control
     import numpy
     import numpy.typing
@@ -360,6 +359,16 @@ class Record:
         >>> record.to_netcdf("run.nc")
         """
         self.to_xarray().to_netcdf(path)
+
+    def to_zarr(self, path: str | os.PathLike[str]) -> None:
+        """Writes a Zarr group by xarray and zarr, each array with its unit.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> record.to_zarr("run.zarr")
+        """
+        self.to_xarray().to_zarr(os.fspath(path), mode="w-", consolidated=False)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """Arrow's C stream of one batch of doubles; the units are metadata of the fields."""

@@ -16,7 +16,7 @@ import dam
 from dam import kinds
 
 MODULES = ("answers", "distributed", "errors", "kinds", "own", "prepared", "scene")
-EXTRAS = ("pandas", "xarray", "pyarrow", "scipy", "control", "matplotlib", "tqdm")
+EXTRAS = ("pandas", "xarray", "pyarrow", "scipy", "control", "matplotlib", "tqdm", "zarr")
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
