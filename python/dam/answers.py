@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     import numpy
     import numpy.typing
     import pandas
+    import sympy
     import xarray
     from matplotlib.axes import Axes
 
@@ -46,6 +47,7 @@ __all__ = [
     "Run",
     "Steady",
     "Stroke",
+    "SymbolicEquations",
     "Verdict",
 ]
 
@@ -1035,6 +1037,80 @@ class Linearisation(Answer):
             outputs=labels[2],
         )
         return space
+
+
+    def to_sympy(self) -> SymbolicEquations:
+        """The equations of motion for SymPy, with all digits of their numbers.
+
+        Functions of time have the names of `names`, with underscores in place of dots. Speeds and
+        accelerations are derivatives. The equations are those of closed contacts, as
+        `document["validity"]` says; `Scene.show` prints the others.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json").set("rocker.masses", 1)
+        >>> equations = scene.linearise().to_sympy()
+        >>> equations.motion[0].lhs
+        Derivative(rocker_deviation(t), (t, 2))
+        >>> sorted(str(one.func) for one in equations.motion[0].rhs.atoms(equations.function))
+        ['rocker_deviation', 'rocker_law', 'rocker_load']
+        """
+        import sympy
+        from sympy.core.function import AppliedUndef
+
+        time = sympy.Symbol("t", real=True)
+        names = {of: self.names(of) for of in ("states", "inputs", "outputs")}
+        known = {name: None for of in ("states", "inputs", "outputs") for name in names[of]}
+
+        def function(name: str) -> sympy.Expr:
+            # A rate is the derivative of what it is the rate of, if that is there.
+            for ending, order in (("_speed", 1), ("_acceleration", 2)):
+                whole = name.removesuffix(ending)
+                if whole != name and whole in known:
+                    return sympy.Derivative(function(whole), (time, order))
+            return sympy.Function(name.replace(".", "_"), real=True)(time)
+
+        def combined(row: int, matrices: str) -> sympy.Expr:
+            terms = [
+                (sympy.Float(factor) if abs(factor) != 1.0 else int(factor)) * function(name)
+                for matrix, of in zip(matrices, ("states", "inputs"))
+                for factor, name in zip(self.matrix(matrix)[row].tolist(), names[of])
+                if factor != 0.0
+            ]
+            return sympy.Add(*terms)
+
+        motion, outputs = [], []
+        for row, name in enumerate(names["states"]):
+            left = sympy.diff(function(name), time)
+            right = combined(row, "AB")
+            if left != right and not (f"{name}_speed" in known and f"{name}_speed" != name):
+                motion.append(sympy.Eq(left, right))
+        for row, name in enumerate(names["outputs"]):
+            symbol = sympy.Function(name.replace(".", "_"), real=True)(time)
+            outputs.append(sympy.Eq(symbol, combined(row, "CD")))
+        return SymbolicEquations(time, motion, outputs, AppliedUndef)
+
+
+class SymbolicEquations(NamedTuple):
+    """Equations of motion as SymPy has them.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> equations = scene.linearise().to_sympy()
+    >>> equations.time, len(equations.motion), len(equations.outputs)
+    (t, 2, 5)
+    """
+
+    time: sympy.Symbol
+    """The time, t."""
+    motion: list[sympy.Eq]
+    """An equation for each deviation, solved for its second derivative; of other states for the
+    first."""
+    outputs: list[sympy.Eq]
+    """The outputs by deviations and inputs."""
+    function: type[sympy.Expr]
+    """The class of functions of time, for `expression.atoms(equations.function)`."""
 
 
 class FrequencyResponse(Answer):

@@ -16,7 +16,7 @@ import dam
 from dam import kinds
 
 MODULES = ("answers", "distributed", "errors", "kinds", "own", "prepared", "scene")
-EXTRAS = ("pandas", "xarray", "pyarrow", "scipy", "control", "matplotlib", "tqdm", "zarr")
+EXTRAS = ("pandas", "xarray", "pyarrow", "scipy", "control", "matplotlib", "tqdm", "zarr", "sympy")
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
