@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypedDict, Union, cast
 
-from dam import _dam
+from dam import _dam, _notebook
 
 if TYPE_CHECKING:
-    import os
-
     import control
     import numpy
     import numpy.typing
     import pandas
+    import sympy
     import xarray
     from matplotlib.axes import Axes
 
@@ -40,12 +40,14 @@ __all__ = [
     "Methods",
     "Optimum",
     "Orders",
+    "Page",
     "Record",
     "Reduction",
     "Requirements",
     "Run",
     "Steady",
     "Stroke",
+    "SymbolicEquations",
     "Verdict",
 ]
 
@@ -60,7 +62,16 @@ settle."""
 
 
 class Figure(float):
-    """A number that knows its unit, how far it may be off, and how sure that is."""
+    """A number that knows its unit, how far it may be off, and how sure that is.
+
+    Examples
+    --------
+    >>> figure = dam.Figure(7.5, "rocker.delta_abs", "mrad", error=0.1, kind="bound")
+    >>> figure, 2 * figure
+    (7.5 ± 0.1 mrad, 15.0)
+    >>> figure.interval
+    (7.4, 7.6)
+    """
 
     __slots__ = ("address", "error", "kind", "unit")
 
@@ -111,7 +122,15 @@ class Figure(float):
 
 
 class Figures(Mapping[str, Figure]):
-    """Figures by their addresses: `figures["rocker.delta_abs"]`."""
+    """Figures by their addresses: `figures["rocker.delta_abs"]`.
+
+    Examples
+    --------
+    >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+    >>> figures = run.figures
+    >>> round(figures["rocker.delta_abs"], 6), figures["rocker.delta_abs"].unit
+    (0.007501, 'rad')
+    """
 
     def __init__(self, figures: Mapping[str, Figure]) -> None:
         self._figures = dict(figures)
@@ -135,13 +154,54 @@ class Figures(Mapping[str, Figure]):
     def __len__(self) -> int:
         return len(self._figures)
 
+    def _repr_html_(self) -> str:
+        rows = [[name, f"{figure:.7g}", _off(figure), figure.unit] for name, figure in self.items()]
+        return _notebook.table((("figure", "value", "error", "unit"), rows))
+
     def __repr__(self) -> str:
         lines = (f"{name}: {figure!r}" for name, figure in self._figures.items())
         return "\n".join(lines)
 
 
+def _off(figure: Figure) -> str:
+    """How far a figure may be off, and how sure that is."""
+    error = "" if figure.error is None else f"± {figure.error:.2g} "
+    return error + ("" if figure.kind == "value" else figure.kind.replace("_", " "))
+
+
+class Page(str):
+    """A page of HTML. In a notebook it is shown with charts that can be zoomed, and the notebook
+    keeps all of it: often some hundred kB.
+
+    Examples
+    --------
+    >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+    >>> page = run.page()
+    >>> page[:15], type(page).__name__
+    ('<!DOCTYPE html>', 'Page')
+    """
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        import html
+
+        page = html.escape(self, quote=True)
+        return (
+            f'<iframe srcdoc="{page}" width="100%" height="640" '
+            'style="border: 0" sandbox="allow-scripts"></iframe>'
+        )
+
+
 class Verdict(NamedTuple):
-    """An answer in a sentence."""
+    """An answer in a sentence.
+
+    Examples
+    --------
+    >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+    >>> run.verdict.sort, run.verdict.headline
+    ('mechanism', 'Not in working order.')
+    """
 
     sort: Literal["good", "mechanism", "numerical", "unfinished"]
     """Good news; the mechanism fails; the computation does; it was ended."""
@@ -157,6 +217,14 @@ class Record:
 
     polars, pyarrow and DuckDB read it by Arrow's C stream interface: `polars.from_arrow(record)`,
     `pyarrow.table(record)`.
+
+    Examples
+    --------
+    >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+    >>> record.index, record.columns[:3], record.units["rocker.delta"]
+    ('time', ('time', 'rocker.displacement', 'rocker.speed'), 'rad')
+    >>> print(f"{record['rocker.delta'].max():.6f}")
+    0.007493
     """
 
     def __init__(self, answer: _dam.Answer, over_first: bool = False) -> None:
@@ -209,7 +277,14 @@ class Record:
         return f"there is no column {name!r}{hint}"
 
     def to_numpy(self) -> numpy.typing.NDArray[numpy.float64]:
-        """All columns beside each other, copied: rows by columns."""
+        """All columns beside each other, copied: rows by columns.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> record.to_numpy().shape
+        (1001, 13)
+        """
         import numpy
 
         return numpy.column_stack([self[name] for name in self._places])
@@ -224,7 +299,15 @@ class Record:
         return values if dtype is None else values.astype(dtype)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A data frame; `attrs["units"]` holds the units."""
+        """A data frame; `attrs["units"]` holds the units.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> frame = record.to_pandas()
+        >>> frame.index.name, frame.shape, frame.attrs["units"]["rocker.delta"]
+        ('time', (1001, 12), 'rad')
+        """
         import pandas
 
         columns = {name: self[name] for name in self._places if name != self._index}
@@ -234,7 +317,15 @@ class Record:
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """A data set over the index, each variable with its unit among its `attrs`."""
+        """A data set over the index, each variable with its unit among its `attrs`.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> data = record.to_xarray()
+        >>> dict(data.sizes), data["rocker.delta"].attrs
+        ({'time': 1001}, {'units': 'rad'})
+        """
         import xarray
 
         over = self._index or "row"
@@ -249,23 +340,53 @@ class Record:
         return xarray.Dataset(variables, coordinates)
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:
-        """Writes a Parquet file by pyarrow; the units are metadata of its fields."""
+        """Writes a Parquet file by pyarrow; the units are metadata of its fields.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> record.to_parquet("run.parquet")
+        """
         import pyarrow
         import pyarrow.parquet
 
         pyarrow.parquet.write_table(pyarrow.table(self), path)
 
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
-        """Writes a NetCDF file by xarray, each variable with its unit."""
+        """Writes a NetCDF file by xarray, each variable with its unit.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> record.to_netcdf("run.nc")
+        """
         self.to_xarray().to_netcdf(path)
+
+    def to_zarr(self, path: str | os.PathLike[str]) -> None:
+        """Writes a Zarr group by xarray and zarr, each array with its unit.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> record.to_zarr("run.zarr")
+        """
+        self.to_xarray().to_zarr(os.fspath(path), mode="w-", consolidated=False)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """Arrow's C stream of one batch of doubles; the units are metadata of the fields."""
         return self._answer.arrow_c_stream()
 
     def plot(self, *names: str, axes: Axes | None = None) -> Axes:
-        """Draws columns over the index by matplotlib; without names those of the unit of the
-        first that is no displacement, speed or index."""
+        """Draws columns over the index by matplotlib; without names the deviations δ if something
+        is elastic, else how the objects are displaced, in the unit of the last of them.
+
+        Examples
+        --------
+        >>> record = dam.load("scenarios/rocker/two_masses.json").run().record
+        >>> axes = record.plot("rocker.delta")
+        >>> axes.get_xlabel(), axes.get_ylabel()
+        ('time (s)', 'rad')
+        """
         import matplotlib.pyplot
 
         if axes is None:
@@ -288,15 +409,66 @@ class Record:
 
     def _usual(self) -> Sequence[str]:
         others = [name for name in self._places if name != self._index]
-        deltas = [name for name in others if name.endswith(".delta")]
-        return deltas or others[:1]
+        for ending, moving in ((".delta", ".delta"), (".displacement", ".acceleration")):
+            chosen = [
+                name
+                for name in others
+                if name.endswith(ending) and self._moves(name.removesuffix(ending) + moving)
+            ]
+            if chosen:
+                return [name for name in chosen if self._units[name] == self._units[chosen[-1]]]
+        return others[:1]
+
+    def _moves(self, name: str) -> bool:
+        if name not in self._places:
+            return False
+        values = self[name]
+        return bool((values[:1] != values).any())
+
+    def _chart(self) -> _notebook.Chart | None:
+        """The usual columns, for a notebook."""
+        names = self._usual()[:4]
+        if self._index is None or len(self) < 2 or not names:
+            return None
+        unit = self._units[self._index]
+        over = f"{self._index} ({unit})" if unit else self._index
+        values = {name: self[name] for name in names}
+        return _notebook.Curves(over, self[self._index], values, self._units[names[0]])
+
+    def _repr_html_(self) -> str:
+        names = list(self._places)[:10]
+        heads = [f"{name} ({self._units[name]})" if self._units[name] else name for name in names]
+        columns = [self[name] for name in names]
+        count = len(self)
+        places = [*range(min(count, 5)), *range(max(count - 3, 5), count)]
+        rows = [[f"{column[place]:.6g}" for column in columns] for place in places]
+        if count > 8:
+            rows.insert(5, ["…"] * len(names))
+        more = f"{count} rows, {len(self._places)} columns: <code>columns</code>."
+        body = _notebook.table((heads, rows))
+        return _notebook.shown("", "", "", (), body, self._chart(), more)
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        html, chart = self._repr_html_(), self._chart()
+        return _notebook.bundle(repr(self), html, chart, include, exclude)
 
     def __repr__(self) -> str:
         return f"Record of {len(self)} rows: {', '.join(self._places)}"
 
 
 class Answer:
-    """What a study found."""
+    """What a study found.
+
+    Examples
+    --------
+    >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+    >>> run.document["scene"]
+    'Rocker of a cam mechanism, two masses'
+    >>> run.judgement, run.rigid, len(run.warnings)
+    ('not_in_working_order', None, 1)
+    >>> run.figures["rocker.pair.separations"], run.record.index, run.verdict.headline
+    (65.0, 'time', 'Not in working order.')
+    """
 
     _over_first: bool = False
 
@@ -360,34 +532,71 @@ class Answer:
         return Record(self._found, self._over_first)
 
     def text(self, width: int | None = None) -> str:
-        """What the terminal shows, in that many characters a line."""
+        """What the terminal shows, in that many characters a line.
+
+        Examples
+        --------
+        >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+        >>> print(run.text(80).splitlines()[0])
+        Rocker of a cam mechanism, two masses: 500 ms of motion, 2 objects, method exact
+        """
         return self._found.text(width)
 
-    def page(self) -> str:
-        """A page of HTML that needs no network: answer, figures, charts that can be zoomed."""
-        return self._found.page()
+    def page(self) -> Page:
+        """A page of HTML that needs no network: answer, figures, charts that can be zoomed.
+
+        Examples
+        --------
+        >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+        >>> "<svg" in run.page()
+        True
+        """
+        return Page(self._found.page())
 
     def save(self, path: str) -> None:
-        """Writes the page into a file."""
+        """Writes the page into a file.
+
+        Examples
+        --------
+        >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+        >>> run.save("run.html")
+        """
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.page())
 
     def plot(self, *names: str, axes: Axes | None = None) -> Axes:
-        """Draws columns by matplotlib: see `Record.plot`."""
+        """Draws columns by matplotlib: see `Record.plot`.
+
+        Examples
+        --------
+        >>> run = dam.load("scenarios/rocker/two_masses.json").run()
+        >>> run.plot("rocker.speed").get_ylabel()
+        'rad/s'
+        """
         return self.record.plot(*names, axes=axes)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """See `Record.__arrow_c_stream__`."""
         return self._found.arrow_c_stream()
 
-    def _repr_html_(self) -> str:
-        import html
+    def _chart(self) -> _notebook.Chart | None:
+        """What is drawn of it in a notebook."""
+        return self.record._chart()
 
-        page = html.escape(self.page(), quote=True)
-        return (
-            f'<iframe srcdoc="{page}" width="100%" height="640" '
-            'style="border: 0" sandbox="allow-scripts"></iframe>'
+    def _body(self) -> str:
+        """What is shown of it in a notebook beside its chart."""
+        return _notebook.plain(self.text(100))
+
+    def _repr_html_(self) -> str:
+        sort, headline, text = self.verdict or ("", "", "")
+        more = "With charts that can be zoomed: <code>page()</code>."
+        return _notebook.shown(
+            headline, text, sort, self.warnings, self._body(), self._chart(), more
         )
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        html, chart = self._repr_html_(), self._chart()
+        return _notebook.bundle(repr(self), html, chart, include, exclude)
 
     def __repr__(self) -> str:
         verdict = self.verdict
@@ -421,7 +630,15 @@ def _sort(sort: str) -> Literal["good", "mechanism", "numerical", "unfinished"]:
 
 
 class Run(Answer):
-    """The motion of a scene: `figures`, and `record` over time."""
+    """The motion of a scene: `figures`, and `record` over time.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/one_mass.json").set("run.duration", 0.05)
+    >>> run = scene.run(spread=True)
+    >>> run.is_trusted, run.spread["rocker.delta_abs"].determined
+    (True, True)
+    """
 
     _over_first = True
 
@@ -434,6 +651,23 @@ class Run(Answer):
         """False when the numbers themselves are in doubt. A mechanism that lifts off has
         perfectly good figures."""
         return self._trusted
+
+    def _body(self) -> str:
+        tables = [self._of_objects(heads) for heads in (_MOTION, _PAIRS)]
+        count = f"<p>{len(self.figures)} figures: <code>figures</code>.</p>"
+        return "".join(_notebook.table(one) for one in tables if one[1]) + count
+
+    def _of_objects(self, names: Sequence[str]) -> _notebook.Table:
+        """A row an object with figures of these names."""
+        figures = self.figures
+        known: dict[str, list[str]] = {}
+        for address in figures:
+            for place, name in enumerate(names):
+                if address.endswith(f".{name}"):
+                    row = known.setdefault(address.removesuffix(f".{name}"), [""] * len(names))
+                    row[place] = _brief(figures[address])
+        rows = [[identifier, *row] for identifier, row in known.items() if any(row)]
+        return ("object", *names), rows
 
     @property
     def spread(self) -> dict[str, FigureSpread] | None:
@@ -449,6 +683,18 @@ class Run(Answer):
         }
 
 
+_MOTION = ("delta_abs", "delta_max", "delta_min", "peak_speed", "peak_acceleration", "peak_reaction")
+_PAIRS = tuple(
+    f"pair.{name}"
+    for name in ("in_working_order", "separations", "separated_time", "max_contact_force")
+)
+
+
+def _brief(figure: Figure) -> str:
+    error = "" if figure.error is None else f" ± {figure.error:.1g}"
+    return f"{figure:.4g}{error} {figure.unit}".rstrip()
+
+
 class _SpreadRow(TypedDict):
     figure: str
     by_loads: float | None
@@ -457,7 +703,13 @@ class _SpreadRow(TypedDict):
 
 
 class FigureSpread(NamedTuple):
-    """How far a figure moves when the run is repeated with tiny changes."""
+    """How far a figure moves when the run is repeated with tiny changes.
+
+    Examples
+    --------
+    >>> dam.answers.FigureSpread(by_loads=2e-9, by_tolerance=1e-9, determined=True)
+    FigureSpread(by_loads=2e-09, by_tolerance=1e-09, determined=True)
+    """
 
     by_loads: float | None
     """When loads and gaps change by one part in 10 billion; `None`: the figure is gone."""
@@ -469,11 +721,32 @@ class FigureSpread(NamedTuple):
 
 class Comparison(Answer):
     """A scene for several values of a parameter: `record` has a row a run and a column a
-    figure; `document["table"]` holds the errors as well."""
+    figure; `document["table"]` holds the errors as well.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> found = scene.compare("rocker.masses", [1, 2])
+    >>> len(found.record), found.record["rocker.pair.separations"].tolist()
+    (2, [75.0, 65.0])
+    """
 
 
 class Map(Answer):
-    """A figure over one or two parameters, with verdict and cause for every point."""
+    """A figure over one or two parameters, with verdict and cause for every point.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> x, y = "rocker.inertia=-0.05:0.1:3", "rocker.stiffness=1e6:1e7:2"
+    >>> found = scene.map(x, y, figure="rocker.delta_max")
+    >>> found.figure, found.unit, found.shape, found.panels, len(found.hash)
+    ('rocker.delta_max', 'rad', (2, 3), [], 64)
+    >>> found.x.tolist(), found.y.tolist(), found.values.round(6)[1].tolist()
+    ([-0.05, 0.025, 0.1], [1000000.0, 10000000.0], [nan, -4.5e-05, 0.007501])
+    >>> found.verdicts[:2], found.judgements[:2], len(found.causes)
+    (['refused', 'in_working_order'], [None, 'in_working_order'], 6)
+    """
 
     def __init__(
         self,
@@ -552,8 +825,39 @@ class Map(Answer):
         """Causes of the verdicts, row by row."""
         return [cause for _, cause, _, _ in self._verdicts]
 
+    def _body(self) -> str:
+        from collections import Counter
+
+        counts = Counter(self.judgements)
+        lines = [
+            f'<span style="color: {_notebook.colour_of(one)}">■</span> '
+            f"{(one or 'no such mechanism').replace('_', ' ')}: {count}"
+            for one, count in counts.most_common()
+        ]
+        return f"<p>{', '.join(lines)}</p>"
+
+    def _chart(self) -> _notebook.Chart | None:
+        x, y = (None if axis is None else _path(axis) for axis in self._axes)
+        if x is None or y is None:
+            values = self.values if self.panels else self.values[None]
+            names = self.panels or [self.figure]
+            curves = {name: values[place][0] for place, name in enumerate(names[:4])}
+            return _notebook.Curves(x or "", self.x, curves, self.unit)
+        rows, columns = self._shape
+        first = self.judgements[: rows * columns]
+        lines = [first[row * columns : (row + 1) * columns] for row in range(rows)]
+        return _notebook.Cells(x, y, self.x, self.y, lines)
+
     def to_xarray(self) -> xarray.Dataset:
-        """One data set: value, verdict, cause and judgement over the parameters."""
+        """One data set: value, verdict, cause and judgement over the parameters.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> data = scene.map("rocker.inertia=0.05:0.1:3").to_xarray()
+        >>> dict(data.sizes), sorted(data.data_vars)
+        ({'rocker.inertia': 3}, ['cause', 'judgement', 'value', 'verdict'])
+        """
         import numpy
         import xarray
 
@@ -578,7 +882,15 @@ class Map(Answer):
 
     def plot(self, *names: str, axes: Axes | None = None, panel: int = 0) -> Axes:
         """Draws the map by matplotlib: a curve, or colours over two parameters; of several panels
-        the one of this number."""
+        the one of this number.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> axes = scene.map("rocker.inertia=0.05:0.1:3").plot()
+        >>> axes.get_ylabel()
+        'rocker.delta_abs (rad)'
+        """
         import matplotlib.pyplot
 
         if names:
@@ -605,7 +917,14 @@ def _path(axis: str) -> str:
 
 
 class Methods(Answer):
-    """Methods of integration beside each other: `record` has a row a point."""
+    """Methods of integration beside each other: `record` has a row a point.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json").set("run.duration", 0.02)
+    >>> found = scene.methods(methods=["exact"], repeats=1)
+    >>> found.recommended
+    """
 
     @property
     def recommended(self) -> str | None:
@@ -617,35 +936,78 @@ class Methods(Answer):
 
 
 class Kinematics(Answer):
-    """How a linkage moves: `record` has a row a position."""
+    """How a linkage moves: `record` has a row a position.
+
+    Examples
+    --------
+    >>> found = dam.load("scenarios/kinetostatics/slider_crank.json").kinematics(turn=True)
+    >>> len(found.record), found.record["slide.displacement"].max().round(6).item()
+    (361, 0.36)
+    """
 
     _over_first = True
 
 
 class Forces(Answer):
-    """Which forces a linkage carries: `record` has a row a position."""
+    """Which forces a linkage carries: `record` has a row a position.
+
+    Examples
+    --------
+    >>> found = dam.load("scenarios/kinetostatics/slider_crank.json").forces(turn=True)
+    >>> found.record.index, len(found.record)
+    ('coordinate', 361)
+    """
 
     _over_first = True
 
 
 class Steady(Answer):
-    """How evenly a machine turns: `record` is over a cycle."""
+    """How evenly a machine turns: `record` is over a cycle.
+
+    Examples
+    --------
+    >>> found = dam.load("scenarios/steady/engine.json").steady()
+    >>> found.record.index, found.verdict.sort
+    ('phi', 'good')
+    """
 
     _over_first = True
 
 
 class Linearisation(Answer):
-    """Linear equations: natural modes, and a state space whose states are deviations and speeds."""
+    """Linear equations: natural modes, and a state space whose states are deviations and speeds.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> found = scene.linearise()
+    >>> found.names("states")[:2], found.matrix("A").shape
+    (['rocker.mass_1.deviation', 'rocker.mass_2.deviation'], (4, 4))
+    """
 
     def matrix(self, name: str) -> numpy.typing.NDArray[numpy.float64]:
-        """A matrix by its name: `A`, `B`, `C`, `D`, `mass`, `damping`, `stiffness`."""
+        """A matrix by its name: `A`, `B`, `C`, `D`, `mass`, `damping`, `stiffness`.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.linearise().matrix("mass").tolist()
+        [[0.0125, 0.0], [0.0, 0.08750000000000001]]
+        """
         import numpy
 
         found: numpy.typing.NDArray[numpy.float64] = numpy.array(self.document[name], dtype=float)
         return found
 
     def names(self, of: Literal["states", "inputs", "outputs"]) -> list[str]:
-        """Names of the states, inputs or outputs, in their order."""
+        """Names of the states, inputs or outputs, in their order.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.linearise().names("inputs")
+        ['rocker.law', 'rocker.law_speed', 'rocker.law_acceleration', 'rocker.load']
+        """
         signals = cast("list[dict[str, str]]", self.document[of])
         return [signal["name"] for signal in signals]
 
@@ -653,7 +1015,15 @@ class Linearisation(Answer):
         """The state space of python-control, `control.ss(A, B, C, D)`.
 
         Names have underscores in place of dots, which python-control does not take. A law is
-        three inputs: the law, its speed and its acceleration."""
+        three inputs: the law, its speed and its acceleration.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> system = scene.linearise().to_control()
+        >>> system.nstates, system.ninputs
+        (4, 4)
+        """
         import control
 
         labels = [
@@ -669,16 +1039,126 @@ class Linearisation(Answer):
         return space
 
 
+    def to_sympy(self) -> SymbolicEquations:
+        """The equations of motion for SymPy, with all digits of their numbers.
+
+        Functions of time have the names of `names`, with underscores in place of dots. Speeds and
+        accelerations are derivatives. The equations are those of closed contacts, as
+        `document["validity"]` says; `Scene.show` prints the others.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json").set("rocker.masses", 1)
+        >>> equations = scene.linearise().to_sympy()
+        >>> equations.motion[0].lhs
+        Derivative(rocker_deviation(t), (t, 2))
+        >>> sorted(str(one.func) for one in equations.motion[0].rhs.atoms(equations.function))
+        ['rocker_deviation', 'rocker_law', 'rocker_load']
+        """
+        import sympy
+        from sympy.core.function import AppliedUndef
+
+        time = sympy.Symbol("t", real=True)
+        names = {of: self.names(of) for of in ("states", "inputs", "outputs")}
+        known = {name: None for of in ("states", "inputs", "outputs") for name in names[of]}
+
+        def function(name: str) -> sympy.Expr:
+            # A rate is the derivative of what it is the rate of, if that is there.
+            for ending, order in (("_speed", 1), ("_acceleration", 2)):
+                whole = name.removesuffix(ending)
+                if whole != name and whole in known:
+                    return sympy.Derivative(function(whole), (time, order))
+            return sympy.Function(name.replace(".", "_"), real=True)(time)
+
+        def combined(row: int, matrices: str) -> sympy.Expr:
+            terms = [
+                (sympy.Float(factor) if abs(factor) != 1.0 else int(factor)) * function(name)
+                for matrix, of in zip(matrices, ("states", "inputs"))
+                for factor, name in zip(self.matrix(matrix)[row].tolist(), names[of])
+                if factor != 0.0
+            ]
+            return sympy.Add(*terms)
+
+        motion, outputs = [], []
+        for row, name in enumerate(names["states"]):
+            left = sympy.diff(function(name), time)
+            right = combined(row, "AB")
+            if left != right and not (f"{name}_speed" in known and f"{name}_speed" != name):
+                motion.append(sympy.Eq(left, right))
+        for row, name in enumerate(names["outputs"]):
+            symbol = sympy.Function(name.replace(".", "_"), real=True)(time)
+            outputs.append(sympy.Eq(symbol, combined(row, "CD")))
+        return SymbolicEquations(time, motion, outputs, AppliedUndef)
+
+
+class SymbolicEquations(NamedTuple):
+    """Equations of motion as SymPy has them.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> equations = scene.linearise().to_sympy()
+    >>> equations.time, len(equations.motion), len(equations.outputs)
+    (t, 2, 5)
+    """
+
+    time: sympy.Symbol
+    """The time, t."""
+    motion: list[sympy.Eq]
+    """An equation for each deviation, solved for its second derivative; of other states for the
+    first."""
+    outputs: list[sympy.Eq]
+    """The outputs by deviations and inputs."""
+    function: type[sympy.Expr]
+    """The class of functions of time, for `expression.atoms(equations.function)`."""
+
+
 class FrequencyResponse(Answer):
-    """Responses over the frequency: `record` has a row for each pair and frequency."""
+    """Responses over the frequency: `record` has a row for each pair and frequency.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> found = scene.response([100.0, 1000.0], outputs="rocker.displacement")
+    >>> found.record["gain"].round(2).tolist()
+    [0.03, 3.95]
+    """
+
+    def _chart(self) -> _notebook.Chart | None:
+        record = self.record
+        pairs = cast("list[dict[str, dict[str, str]]]", self.document["pairs"])
+        if not pairs or len(record) < 2 * len(pairs):
+            return None
+        gains = record["gain"].reshape(len(pairs), -1)
+        along = record["frequency"][: gains.shape[1]]
+        curves = {
+            f"{pair['output']['name']} by {pair['input']['name']}": gain
+            for pair, gain in zip(pairs[:4], gains)
+        }
+        return _notebook.Curves("frequency (Hz)", along, curves, "gain (dB)", is_logarithmic=True)
 
 
 class Orders(Answer):
-    """Orders of a law and their resonances: `record` has a row for each crossing."""
+    """Orders of a law and their resonances: `record` has a row for each crossing.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> found = scene.orders(points=2, highest=3)
+    >>> len(found.record)
+    0
+    """
 
 
 class Cam(Answer):
-    """The cam of an object: `record` is over a turn of the cam."""
+    """The cam of an object: `record` is over a turn of the cam.
+
+    Examples
+    --------
+    >>> cam = dam.load("scenarios/cams/flat_tappet.json").cam()
+    >>> cam.dxf[:12].split(), cam.svg[:4], cam.lift_off
+    (['999', 'dam:', 'di'], '<svg', None)
+    """
 
     _over_first = True
 
@@ -708,17 +1188,40 @@ class Cam(Answer):
 
 
 class Law(Answer):
-    """A law of motion: constants, shocks, samples."""
+    """A law of motion: constants, shocks, samples.
+
+    Examples
+    --------
+    >>> law = dam.law("3-4-5")
+    >>> law.record.columns[:3], float(law.record["theta"][-1])
+    (('tau', 'theta', 'theta1'), 1.0)
+    """
 
     _over_first = True
 
 
 class LawComparison(Answer):
-    """Laws of motion ranked by what a mechanism makes of them."""
+    """Laws of motion ranked by what a mechanism makes of them.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/valve_train/in_working_order.json")
+    >>> at = "valve.position.cam.law"
+    >>> found = scene.compare_laws(at, ["3-4-5", "cycloidal"])
+    >>> [law["name"] for law in found.document["laws"]]
+    ['3-4-5', 'cycloidal']
+    """
 
 
 class Stroke(Answer):
-    """A stroke of run-up, uniform section and run-out: figures, samples."""
+    """A stroke of run-up, uniform section and run-out: figures, samples.
+
+    Examples
+    --------
+    >>> found = dam.stroke("sine", stroke="50 mm", span="120 deg", uniform_span=0.2)
+    >>> found.record.columns
+    ('phi', 'Pi', 'Pi1', 'Pi2', 'Pi3')
+    """
 
     _over_first = True
 
@@ -737,7 +1240,17 @@ class _Answered(Answer):
 
 
 class FoundValue(_Answered):
-    """The best value of a parameter under conditions."""
+    """The best value of a parameter under conditions.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/cams/eccentric_jump.json").set("follower.masses", 0)
+    >>> speed = "cam.motion.speed"
+    >>> held = "follower.pair.margin >= 0"
+    >>> found = scene.find(f"{speed}=40:60 rpm:9", subject=held, maximize=speed)
+    >>> found.answered, round(found.value, 2), len(found.ranges)
+    (True, 52.3, 1)
+    """
 
     @property
     def value(self) -> float | None:
@@ -756,7 +1269,19 @@ class FoundValue(_Answered):
 
 
 class Optimum(_Answered):
-    """The best values of several variables under conditions."""
+    """The best values of several variables under conditions.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/cams/eccentric_jump.json").set("follower.masses", 0)
+    >>> preload = "follower.loads.spring.spring.preload"
+    >>> held = "follower.pair.margin >= 0 N"
+    >>> found = scene.optimize(f"{preload}=0:10 N", subject=held, minimize=preload, starts=1)
+    >>> found.answered, round(found.values[preload], 6), round(found.goal, 6)
+    (True, 0.193054, 0.193054)
+    >>> len(found.multipliers), found.scene_text is not None
+    (1, True)
+    """
 
     _over_first = True
 
@@ -798,7 +1323,17 @@ class Optimum(_Answered):
 
 
 class Identification(_Answered):
-    """Numbers of a scene from records of its motion; `record` has the records beside their fit."""
+    """Numbers of a scene from records of its motion; `record` has the records beside their fit.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/shafts/free_vibration.json")
+    >>> record, signals = "scenarios/shafts/released_wheel.csv", {"deflection": "wheel.delta"}
+    >>> found = scene.identify(record, signals, "wheel.stiffness=5:12 kN m/rad", starts=1)
+    >>> value, error = found.estimates["wheel.stiffness"]
+    >>> round(value, 2), error < 0.1, found.scene_text is not None
+    (8.25, True, True)
+    """
 
     def __init__(self, answer: _dam.Answer, answered: bool, text: str | None) -> None:
         super().__init__(answer, answered)
@@ -828,14 +1363,38 @@ class _EstimateRow(TypedDict):
 
 
 class Gradient(_Answered):
-    """Derivatives of results by numbers of a scene."""
+    """Derivatives of results by numbers of a scene.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json").set("run.duration", 0.02)
+    >>> found = scene.gradient("rocker.inertia", "rocker.delta_max")
+    >>> found.answered, found.verdict_of("rocker.delta_max", "rocker.inertia")
+    (True, 'exact')
+    """
 
     def derivative(self, figure: str, by: str) -> float | None:
-        """The derivative of a result by a number, in SI units; `None`: the verdict leaves none."""
+        """The derivative of a result by a number, in SI units; `None`: the verdict leaves none.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json").set("run.duration", 0.02)
+        >>> found = scene.gradient("rocker.inertia", "rocker.delta_max")
+        >>> print(f"{found.derivative('rocker.delta_max', 'rocker.inertia'):.4g}")
+        0.0005526
+        """
         return cast("float | None", self._of(figure, by)["derivative"])
 
     def verdict_of(self, figure: str, by: str) -> str:
-        """What that derivative is worth: `exact`, `one-sided`, `not determined`, …"""
+        """What that derivative is worth: `exact`, `one-sided`, `not determined`, …
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json").set("run.duration", 0.02)
+        >>> found = scene.gradient("rocker.inertia", "rocker.delta_max")
+        >>> found.verdict_of("rocker.delta_max", "rocker.inertia")
+        'exact'
+        """
         return cast("str", self._of(figure, by)["verdict"])
 
     def _of(self, figure: str, by: str) -> dict[str, Json]:
@@ -844,7 +1403,18 @@ class Gradient(_Answered):
 
 
 class Tolerances(_Answered):
-    """The tolerance of results: stack, effects of the dimensions, samples, yield."""
+    """The tolerance of results: stack, effects of the dimensions, samples, yield.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+    >>> crank = "mechanism.links.crank.points.A[0]"
+    >>> stroke = "kinematics.mechanism.slide.stroke"
+    >>> limit = f"{stroke} <= 120.05 mm"
+    >>> found = scene.tolerance({crank: "±0.05 mm"}, limits=limit, samples=16)
+    >>> found.share > 0.7, len(found.interval)
+    (True, 2)
+    """
 
     @property
     def share(self) -> float | None:
@@ -861,17 +1431,47 @@ class Tolerances(_Answered):
         return lower, upper
 
     def worst_case(self, figure: str) -> tuple[float, float] | None:
-        """Least and greatest result of first order; `None`: a derivative is not known."""
+        """Least and greatest result of first order; `None`: a derivative is not known.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+        >>> crank = "mechanism.links.crank.points.A[0]"
+        >>> stroke = "kinematics.mechanism.slide.stroke"
+        >>> found = scene.tolerance({crank: "±0.05 mm"}, stroke, samples=0)
+        >>> [round(end, 9) for end in found.worst_case(stroke)]
+        [0.1199, 0.1201]
+        """
         found = cast("dict[str, list[float]] | None", self._of(figure)["first_order"])
         return None if found is None else (found["worst_case"][0], found["worst_case"][1])
 
     def sigma(self, figure: str) -> float | None:
-        """Standard deviation of a result by first order."""
+        """Standard deviation of a result by first order.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+        >>> crank = "mechanism.links.crank.points.A[0]"
+        >>> stroke = "kinematics.mechanism.slide.stroke"
+        >>> found = scene.tolerance({crank: "±0.05 mm"}, stroke, samples=0)
+        >>> round(1e6 * found.sigma(stroke), 3)
+        33.333
+        """
         found = cast("dict[str, float] | None", self._of(figure)["first_order"])
         return None if found is None else found["sigma"]
 
     def effect(self, figure: str, dimension: str) -> dict[str, Json]:
-        """What a dimension does to a result: derivative, contribution, indices, …"""
+        """What a dimension does to a result: derivative, contribution, indices, …
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+        >>> crank = "mechanism.links.crank.points.A[0]"
+        >>> stroke = "kinematics.mechanism.slide.stroke"
+        >>> found = scene.tolerance({crank: "±0.05 mm"}, stroke, samples=0)
+        >>> round(found.effect(stroke, crank)["derivative"], 9)
+        2.0
+        """
         return cast("dict[str, dict[str, Json]]", self._of(figure)["by"])[dimension]
 
     def _of(self, figure: str) -> dict[str, Json]:
@@ -883,7 +1483,15 @@ class Tolerances(_Answered):
 
 
 class Requirements(Answer):
-    """What a scene expects, judged."""
+    """What a scene expects, judged.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> found = scene.verify()
+    >>> found.hold, len(list(found)), found.junit[:5]
+    (True, 11, '<?xml')
+    """
 
     def __init__(self, answer: _dam.Answer, hold: bool, junit: str) -> None:
         super().__init__(answer)
@@ -907,7 +1515,15 @@ class Requirements(Answer):
 
 
 class Reduction(Answer):
-    """The smallest scene that gives figures within their accuracy."""
+    """The smallest scene that gives figures within their accuracy.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/ten_masses_closed.json").set("run.accuracy", "1 %")
+    >>> found = scene.reduce()
+    >>> found.holds, found.scene
+    (True, <Scene 'reduced scene'>)
+    """
 
     def __init__(self, answer: _dam.Answer, scene: Scene, holds: bool) -> None:
         super().__init__(answer)

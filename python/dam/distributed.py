@@ -19,6 +19,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from dam._streams import ParquetStore, Rows, Stream, ZarrStream
 from dam.answers import _path
 from dam.scene import Axis, Progress, Scene, _axis, _told
 
@@ -31,12 +32,17 @@ if TYPE_CHECKING:
 __all__ = ["Client", "Future", "map", "sweep"]
 
 
-Rows = list[tuple[object, ...]]
-"""What chunks are made of."""
-
-
 class Future(Protocol):
-    """A value that is being worked out."""
+    """A value that is being worked out.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> with ThreadPoolExecutor(1) as client:
+    ...     future = client.submit(max, 1, 2)
+    >>> future.add_done_callback(lambda done: print(done.result(), future.cancel()))
+    2 False
+    """
 
     def result(self) -> tuple[float, Rows]:
         """The value, or what was raised instead."""
@@ -52,7 +58,15 @@ class Future(Protocol):
 
 
 class Client(Protocol):
-    """Whoever works: an executor of `concurrent.futures`, or a `Client` of Dask."""
+    """Whoever works: an executor of `concurrent.futures`, or a `Client` of Dask.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> with ThreadPoolExecutor(2) as client:
+    ...     print(client.submit(max, 1, 2).result())
+    2
+    """
 
     @property
     def submit(self) -> Callable[..., Future]:
@@ -74,6 +88,7 @@ def map(
     check: bool = True,
     digits: int = 3,
     folder: str | os.PathLike[str] | None = None,
+    zarr: str | os.PathLike[str] | None = None,
     seconds: float = 1.0,
     workers: int | None = None,
     progress: Progress | None = None,
@@ -87,12 +102,27 @@ def map(
         Who works.
     folder
         Where finished chunks are kept as Parquet, which needs pyarrow, and taken from when
-        the same question is asked again; a folder serves any number of questions.
+        the same question is asked again; a folder serves any number of questions. Each has a
+        folder of its own named by the hash, whose files are a data set: a row a cell, with the
+        parameters, value, verdict and cause. It can be read at any time.
+    zarr
+        A new folder for a Zarr group (`zarr` of version 3) with value and verdict over the
+        parameters, which `xarray.open_zarr` opens at any time. Cells that are not finished are NaN,
+        their verdict −1.
     seconds
         What a chunk is to cost.
     workers
         How many chunks are worked on at once; default: what the client tells, else the
         number of processor cores.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> with ThreadPoolExecutor(2) as client:
+    ...     found = dam.distributed.map(scene, "rocker.inertia=0.05:0.1:4", client=client)
+    >>> dict(found.sizes), found["verdict"].values[0]
+    ({'rocker.inertia': 4}, 'in_working_order')
     """
     import numpy
     import xarray
@@ -103,13 +133,23 @@ def map(
     )
     question = (along, up, figure, check, digits)
     count = max(shape[0], 1) * shape[1]
-    store = None if folder is None else _Store(Path(folder) / hash, _CELL)
-    cells = _share(client, _cells, (scene, question), hash, count, store, seconds, workers, progress)
-    names = [_path(along)] if up is None else [_path(up), _path(along)]
-    sizes = shape[1:] if up is None else shape
-    coordinates = {_path(along): numpy.array(x_values)}
+    along_x, along_y = numpy.array(x_values), numpy.array(y_values)
+    coordinates = {_path(along): along_x}
     if up is not None:
-        coordinates[_path(up)] = numpy.array(y_values)
+        coordinates = {_path(up): along_y, **coordinates}
+    names = list(coordinates)
+    sizes = shape[1:] if up is None else shape
+    store = None
+    if folder is not None:
+        grid = numpy.meshgrid(*coordinates.values(), indexing="ij")
+        parameters = {name: one.ravel().tolist() for name, one in zip(names, grid)}
+        store = ParquetStore(Path(folder) / hash, _CELL, parameters)
+    attributes = {"figure": figure_of[0], "hash": hash}
+    stream = None
+    if zarr is not None:
+        stream = ZarrStream(zarr, coordinates, attributes, figure_of[1])
+    work = (scene, question)
+    cells = _share(client, _cells, work, hash, count, store, stream, seconds, workers, progress)
 
     def column(place: int, kind: type) -> object:
         values = [cell[place] for cell in cells]
@@ -123,7 +163,7 @@ def map(
         "cause": (names, column(2, object)),
         "judgement": (names, column(5, object)),
     }
-    return xarray.Dataset(variables, coordinates, {"figure": figure_of[0], "hash": hash})
+    return xarray.Dataset(variables, coordinates, attributes)
 
 
 def sweep(
@@ -143,6 +183,15 @@ def sweep(
 
     `figures` are addresses; default: the greatest |δ| of all objects. The others are as with
     `map`.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> with ThreadPoolExecutor(2) as client:
+    ...     found = dam.distributed.sweep(scene, {"rocker.inertia": [0.05, 0.1]}, client=client)
+    >>> found["rocker.delta_abs"].values.round(6).tolist()
+    [8.9e-05, 0.007501]
     """
     import hashlib
     import json
@@ -160,9 +209,9 @@ def sweep(
     named = json.dumps([scene.hash, plain, list(figures or [])], sort_keys=True)
     hash = hashlib.sha256(named.encode()).hexdigest()
     wanted = None if figures is None else list(figures)
-    store = None if folder is None else _Store(Path(folder) / hash, _RUN)
+    store = None if folder is None else ParquetStore(Path(folder) / hash, _RUN, plain)
     task = (scene, plain, wanted)
-    rows = _share(client, _runs, task, hash, count, store, seconds, workers, progress)
+    rows = _share(client, _runs, task, hash, count, store, None, seconds, workers, progress)
     values = [json.loads(str(row[0])) for row in rows]
     names = wanted or sorted({name for found in values for name in found})
     variables: dict[str, object] = {
@@ -226,42 +275,6 @@ _CELL = ("value", "verdict", "cause", "moved", "determined", "judgement")
 _RUN = ("figures", "verdict", "cause")
 
 
-class _Store:
-    """Finished chunks on disk, a file each."""
-
-    def __init__(self, folder: Path, names: Sequence[str]) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
-        self.folder = folder
-        self.names = names
-
-    def keep(self, first: int, rows: Rows) -> None:
-        """Writes a chunk: whole or not at all."""
-        import pyarrow
-        import pyarrow.parquet
-
-        columns = {name: [row[place] for row in rows] for place, name in enumerate(self.names)}
-        file = self.folder / f"{first}-{first + len(rows)}.parquet"
-        beside = file.with_name(f".{file.name}.{os.getpid()}")
-        pyarrow.parquet.write_table(pyarrow.table(columns), str(beside))
-        os.replace(beside, file)
-
-    def known(self) -> dict[int, tuple[object, ...]]:
-        """The rows that are there, by their places."""
-        import pyarrow.parquet
-
-        rows: dict[int, tuple[object, ...]] = {}
-        for file in sorted(self.folder.glob("*-*.parquet")):
-            if file.name.startswith("."):
-                continue
-            table = pyarrow.parquet.read_table(str(file)).to_pydict()
-            if not all(name in table for name in self.names):
-                continue  # of an earlier version, which kept less
-            first = int(file.name.partition("-")[0])
-            for place, row in enumerate(zip(*(table[name] for name in self.names))):
-                rows[first + place] = tuple(row)
-        return rows
-
-
 def _count_of(client: Client) -> int:
     """How many work at once."""
     cores = getattr(client, "ncores", None)
@@ -289,7 +302,8 @@ def _share(
     task: object,
     hash: str,
     count: int,
-    store: _Store | None,
+    store: ParquetStore | None,
+    stream: Stream | None,
     seconds: float,
     workers: int | None,
     progress: Progress | None,
@@ -297,6 +311,9 @@ def _share(
     """Has all places worked out."""
     told = _told(progress)
     known = {} if store is None else store.known()
+    if stream is not None:
+        for place, row in known.items():
+            stream.keep(place, [row])
     open_ = _missing(known, count)
     left = sum(last - first for first, last in open_)
     many = workers or _count_of(client)
@@ -349,6 +366,8 @@ def _share(
             known.update(zip(range(first, last), rows))
             if store is not None:
                 store.keep(first, rows)
+            if stream is not None:
+                stream.keep(first, rows)
             if told is not None:
                 told(len(known) / count)
     finally:

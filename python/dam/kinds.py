@@ -1,5 +1,6 @@
 """Everything that a scene holds, as classes: objects of all kinds, and what their properties
-are made of. Written by `python/generate.py` from the declarations that scenes are read by.
+are made of. Written by `python/generate.py` from the declarations that scenes are read by, with
+examples from the scenarios and the catalogue of objects.
 
 A quantity is a number in SI units or a text with its unit. What is left out has the default
 that is said. Instead of an object of a class, a mapping with the same names is taken.
@@ -132,6 +133,12 @@ class Belt(Tree):
         Angle of the second wheel (or displacement of the rack) seen from the carrier where
         that of the first is zero: how they were put together (angle in rad, deg, mrad or
         rev) Default: 0.0.
+
+    Examples
+    --------
+    >>> belt = kinds.Belt(wheels=["left", "right"], diameters=["50 mm", "50 mm"], offset="60 deg")
+    >>> belt.offset
+    '60 deg'
     """
 
     __slots__ = ()
@@ -171,6 +178,12 @@ class Cam(Tree):
     depth
         Depth below a flat face from which its approach is counted (length in m, mm, cm, µm,
         in or ft)
+
+    Examples
+    --------
+    >>> cam = kinds.Cam(load="800 N")
+    >>> cam.load
+    '800 N'
     """
 
     __slots__ = ()
@@ -266,6 +279,25 @@ class CamFollower(Tree):
         Stiffness of each link
     stops
         One-sided stops of the last mass against the ground, by name. Default: {}.
+
+    Examples
+    --------
+    >>> cam_follower = kinds.CamFollower(
+    ...     "camshaft",
+    ...     from_="cam_follower/valve-pushrod-one-mass",
+    ...     position={
+    ...         "cam": {
+    ...             "lift": "10.5 mm",
+    ...             "rise": "70 deg",
+    ...             "dwell": "4 deg",
+    ...             "return": "70 deg",
+    ...             "law": "4-5-6-7",
+    ...             "phase": "-30 deg",
+    ...         },
+    ...     },
+    ... )
+    >>> cam_follower.from_
+    'cam_follower/valve-pushrod-one-mass'
     """
 
     __slots__ = ()
@@ -364,6 +396,18 @@ class CamOf(Tree):
     swing
         Whether the follower moves outwards against the sense in which the cam turns, or
         with it. Default: "against".
+
+    Examples
+    --------
+    >>> cam_of = kinds.CamOf(
+    ...     base_radius="30 mm",
+    ...     contact={"roller": "8 mm"},
+    ...     centre_distance="90 mm",
+    ...     arm="70 mm",
+    ...     swing="against",
+    ... )
+    >>> cam_of.base_radius
+    '30 mm'
     """
 
     __slots__ = ()
@@ -407,6 +451,12 @@ class Contact(Tree):
         A flat face.
     roller
         Radius of the roller, or of a round face (length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> contact = kinds.Contact(roller="8 mm")
+    >>> contact.roller
+    '8 mm'
     """
 
     __slots__ = ()
@@ -432,6 +482,12 @@ class Couple(Tree):
         The link.
     moment
         The couple (moment in N m, kN m, N mm, lbf ft or lbf in)
+
+    Examples
+    --------
+    >>> couple = kinds.Couple(link="crank", moment=0.1)
+    >>> couple.link
+    'crank'
     """
 
     __slots__ = ()
@@ -460,6 +516,15 @@ class CoupleTable(Tree):
     period
         Repeats after this much of the input coordinate (angle in rad, deg, mrad or rev; or
         length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> couple_table = kinds.CoupleTable(
+    ...     link="crank",
+    ...     points=[["0 deg", 0], ["180 deg", "-5 N m"]],
+    ... )
+    >>> couple_table.link
+    'crank'
     """
 
     __slots__ = ()
@@ -541,6 +606,12 @@ class Crank(Tree):
         Stiffness of each link
     stops
         One-sided stops of the last mass against the ground, by name. Default: {}.
+
+    Examples
+    --------
+    >>> crank = kinds.Crank("motor", from_="crank/cast-iron-disc-400mm")
+    >>> crank.from_
+    'crank/cast-iron-disc-400mm'
     """
 
     __slots__ = ()
@@ -613,6 +684,18 @@ class CrankGeometry(Tree):
         Young's modulus of the material (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     width
         Width of the section, along the axis (length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> crank_geometry = kinds.CrankGeometry(
+    ...     length="120 mm",
+    ...     width="12 mm",
+    ...     height="30 mm",
+    ...     density=2700,
+    ...     modulus="70 GPa",
+    ... )
+    >>> crank_geometry.length
+    '120 mm'
     """
 
     __slots__ = ()
@@ -710,6 +793,19 @@ class Differential(Tree):
         Stiffness of each link
     stops
         One-sided stops of the last mass against the ground, by name. Default: {}.
+
+    Examples
+    --------
+    >>> differential = kinds.Differential(
+    ...     inputs={"sun": {"object": "press"}, "ring": {"object": "adjuster"}},
+    ...     planetary={"basic_ratio": -3},
+    ...     inertia="0.5 kg m^2",
+    ...     stiffness="200 kN m/rad",
+    ...     damping="40 N m s/rad",
+    ...     masses=1,
+    ... )
+    >>> differential.inertia
+    '0.5 kg m^2'
     """
 
     __slots__ = ()
@@ -787,6 +883,12 @@ class DifferentialInput(Tree):
     ratio
         Factor with which the input enters the sum. (a pure number; or length per angle in
         m/rad, mm/rad, mm/rev or mm)
+
+    Examples
+    --------
+    >>> differential_input = kinds.DifferentialInput(object="motor")
+    >>> differential_input.object
+    'motor'
     """
 
     __slots__ = ()
@@ -841,6 +943,12 @@ class DiscCam(Tree):
     swing
         Whether the follower moves outwards against the sense in which the cam turns, or
         with it. Default: "against".
+
+    Examples
+    --------
+    >>> disc_cam = kinds.DiscCam(base_radius="30 mm", contact={"flat": {"width": "50 mm"}})
+    >>> disc_cam.base_radius
+    '30 mm'
     """
 
     __slots__ = ()
@@ -896,6 +1004,12 @@ class Drive(Tree):
         Prescribed motion.
     motor
         A motor.
+
+    Examples
+    --------
+    >>> drive = kinds.Drive(from_="drive/servo-20nm")
+    >>> drive.from_
+    'drive/servo-20nm'
     """
 
     __slots__ = ()
@@ -931,6 +1045,12 @@ class FirstTimes(Tree):
         clearance of the object, in SI units: "phi > 0.3 && t > 1".
     of
         Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.
+
+    Examples
+    --------
+    >>> first_times = kinds.FirstTimes(of="follower", condition="phi > lift/2")
+    >>> first_times.of
+    'follower'
     """
 
     __slots__ = ()
@@ -960,6 +1080,12 @@ class Flat(Tree):
         sense in which the cam turns (angle in rad, deg, mrad or rev) Default: 0.0.
     width
         Width of the face (length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> flat = kinds.Flat(width="28 mm")
+    >>> flat.width
+    '28 mm'
     """
 
     __slots__ = ()
@@ -997,6 +1123,12 @@ class Force(Tree):
         List of [speed, force]: linear between the points, constant outside.
     unit
         Unit of the value of `expression`; default SI (force in N, kN, MN, lbf or kgf)
+
+    Examples
+    --------
+    >>> force = kinds.Force(constant="250 N")
+    >>> force.constant
+    '250 N'
     """
 
     __slots__ = ()
@@ -1038,6 +1170,12 @@ class FourBar(Tree):
         `+`: open, `-`: crossed. Default: "+".
     phase
         Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+
+    Examples
+    --------
+    >>> four_bar = kinds.FourBar(crank="40 mm", coupler="120 mm", rocker="100 mm", frame="130 mm")
+    >>> four_bar.crank
+    '40 mm'
     """
 
     __slots__ = ()
@@ -1073,6 +1211,12 @@ class Friction(Tree):
     width
         Regularisation width: speed at which 76 % of the force is reached (angular speed in
         rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or ft/s)
+
+    Examples
+    --------
+    >>> friction = kinds.Friction(force="250 N", width="5 mm/s")
+    >>> friction.force
+    '250 N'
     """
 
     __slots__ = ()
@@ -1101,6 +1245,10 @@ class From(Tree):
         Contact along a line (roller, flat face): k is the secant N/p at a stated load.
     point
         Contact in a point, by Hertz: K; the law is `hertz`.
+
+    Examples
+    --------
+    >>> from_ = kinds.From(line={"width": "12 mm", "load": "1 kN", "modulus": "206 GPa"})
     """
 
     __slots__ = ()
@@ -1140,6 +1288,10 @@ class Gear(Tree):
         rev) Default: 0.0.
     teeth
         Numbers of teeth of the first and the second gear.
+
+    Examples
+    --------
+    >>> gear = kinds.Gear(wheels=["sun", "planet"], teeth=[24, 18])
     """
 
     __slots__ = ()
@@ -1181,6 +1333,17 @@ class Geometry(Tree):
         Diameter of a round section (length in m, mm, cm, µm, in or ft)
     section
         Width and height of a rectangular section
+
+    Examples
+    --------
+    >>> geometry = kinds.Geometry(
+    ...     section=["16 mm", "25 mm"],
+    ...     length="80 mm",
+    ...     density=7850,
+    ...     modulus="210 GPa",
+    ... )
+    >>> geometry.length
+    '80 mm'
     """
 
     __slots__ = ()
@@ -1216,6 +1379,12 @@ class Gravity(Tree):
     direction
         Its direction; default downwards, −90 deg (angle in rad, deg, mrad or rev) Default:
         -1.5707963267948966.
+
+    Examples
+    --------
+    >>> gravity = kinds.Gravity(acceleration=9.81)
+    >>> gravity.acceleration
+    9.81
     """
 
     __slots__ = ()
@@ -1249,6 +1418,12 @@ class Harmonic(Tree):
         Periods per turn of the driver, or of the object `over` (a pure number)
     phase
         Angle of the sine at its start (angle in rad, deg, mrad or rev) Default: 0.0.
+
+    Examples
+    --------
+    >>> harmonic = kinds.Harmonic(amplitude="5 N m", order=2)
+    >>> harmonic.amplitude
+    '5 N m'
     """
 
     __slots__ = ()
@@ -1279,6 +1454,12 @@ class HuntCrossley(Tree):
     kappa
         κ, seconds per unit of penetration (time per angle in s/rad or s; or time per length
         in s/m or s/mm)
+
+    Examples
+    --------
+    >>> hunt_crossley = kinds.HuntCrossley(kappa=0.9)
+    >>> hunt_crossley.kappa
+    0.9
     """
 
     __slots__ = ()
@@ -1311,6 +1492,24 @@ class Indicator(Tree):
         Repeats after this much of that displacement: 360 deg of a two-stroke, 720 deg of a
         four-stroke engine; default one turn of what turns (angle in rad, deg, mrad or rev;
         or length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> indicator = kinds.Indicator(
+    ...     points=[
+    ...         ["0 deg", "20 bar"],
+    ...         ["30 deg", "35 bar"],
+    ...         ["120 deg", "4 bar"],
+    ...         ["180 deg", "1.2 bar"],
+    ...         ["540 deg", "1 bar"],
+    ...         ["660 deg", "6 bar"],
+    ...     ],
+    ...     area="-50 cm^2",
+    ...     ambient="1 bar",
+    ...     period="720 deg",
+    ... )
+    >>> indicator.area
+    '-50 cm^2'
     """
 
     __slots__ = ()
@@ -1342,6 +1541,16 @@ class Kloss(Tree):
         Greatest torque T_b (moment in N m, kN m, N mm, lbf ft or lbf in)
     synchronous_speed
         Synchronous speed ω_s (angular speed in rad/s, rev/s, rpm, 1/min or deg/s)
+
+    Examples
+    --------
+    >>> kloss = kinds.Kloss(
+    ...     breakdown_torque="51.7 N m",
+    ...     breakdown_slip=0.2,
+    ...     synchronous_speed="1500 rpm",
+    ... )
+    >>> kloss.breakdown_torque
+    '51.7 N m'
     """
 
     __slots__ = ()
@@ -1367,6 +1576,10 @@ class Law(Tree):
     ----------
     hunt_crossley
         N = c·p·max(0, 1 + κ·ṗ)
+
+    Examples
+    --------
+    >>> law = kinds.Law(hunt_crossley={"kappa": 0.9})
     """
 
     __slots__ = ()
@@ -1394,6 +1607,17 @@ class LawOf(Tree):
         Run-up, uniform motion and run-out.
     table
         List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, at rest at both ends.
+
+    Examples
+    --------
+    >>> law_of = kinds.LawOf(
+    ...     sections={
+    ...         "run_up": "equilateral_trapezoid",
+    ...         "run_out": "cosine",
+    ...         "skewness": 3,
+    ...         "uniform": 0,
+    ...     },
+    ... )
     """
 
     __slots__ = ()
@@ -1421,6 +1645,12 @@ class Lever(Tree):
     ----------
     output
         Place of the output along the lever (length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> lever = kinds.Lever(output="0.3 m")
+    >>> lever.output
+    '0.3 m'
     """
 
     __slots__ = ()
@@ -1448,6 +1678,10 @@ class Lift(Tree):
         U = amplitude·sin(harmonic·φ + phase) + offset.
     table
         Smooth spline through given points.
+
+    Examples
+    --------
+    >>> lift = kinds.Lift(sine={"amplitude": "4 mm", "harmonic": 3})
     """
 
     __slots__ = ()
@@ -1488,6 +1722,18 @@ class LiftCam(Tree):
     rest
         Angle of the rest; if given, the four angles must make a full turn (angle in rad,
         deg, mrad or rev)
+
+    Examples
+    --------
+    >>> lift_cam = kinds.LiftCam(
+    ...     lift="4 mm",
+    ...     rise="90 deg",
+    ...     dwell="60 deg",
+    ...     return_="90 deg",
+    ...     law="cycloidal",
+    ... )
+    >>> lift_cam.lift
+    '4 mm'
     """
 
     __slots__ = ()
@@ -1523,6 +1769,12 @@ class LiftCamLaw(Tree):
         Law of the return, run backwards.
     rise
         Law of the rise.
+
+    Examples
+    --------
+    >>> lift_cam_law = kinds.LiftCamLaw(rise="harmonic", return_="cycloidal")
+    >>> lift_cam_law.rise
+    'harmonic'
     """
 
     __slots__ = ()
@@ -1572,6 +1824,12 @@ class Line(Tree):
     radius
         Radius of the object: positive convex, negative hollow; absent: flat (length in m,
         mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> line = kinds.Line(width="12 mm", load="1 kN", modulus="206 GPa", radius="8 mm")
+    >>> line.width
+    '12 mm'
     """
 
     __slots__ = ()
@@ -1615,6 +1873,12 @@ class Linear(Tree):
         Speed without load, ω₀ (speed in m/s, mm/s, m/min, in/s or ft/s)
     stall_force
         Force at rest, F₀ (force in N, kN, MN, lbf or kgf)
+
+    Examples
+    --------
+    >>> linear = kinds.Linear(stall_force="400 N", no_load_speed="1.2 m/s")
+    >>> linear.stall_force
+    '400 N'
     """
 
     __slots__ = ()
@@ -1684,6 +1948,12 @@ class Linkage(Tree):
     travel
         Least and greatest input coordinate: the stroke of a cylinder; default as far as the
         links allow.
+
+    Examples
+    --------
+    >>> linkage = kinds.Linkage("motor", from_="linkage/shaper")
+    >>> linkage.from_
+    'linkage/shaper'
     """
 
     __slots__ = ()
@@ -1746,6 +2016,12 @@ class LinkageAssembly(Tree):
         Its point is near this place at the start.
     point
         The point of `near`; default the origin of the link's frame.
+
+    Examples
+    --------
+    >>> linkage_assembly = kinds.LinkageAssembly(angle=0)
+    >>> linkage_assembly.angle
+    0
     """
 
     __slots__ = ()
@@ -1779,6 +2055,12 @@ class LinkageCoupling(Tree):
         Two gears: seen from their carrier they turn as their numbers of teeth say.
     rack
         A gear and a rack, which a guide joins to their carrier.
+
+    Examples
+    --------
+    >>> linkage_coupling = kinds.LinkageCoupling(
+    ...     gear={"wheels": ["sun", "planet"], "teeth": [24, 18]},
+    ... )
     """
 
     __slots__ = ()
@@ -1827,6 +2109,17 @@ class LinkageCouplingCam(Tree):
         brings what lies clockwise of the roller. Default: "counterclockwise".
     surface
         Which side of the cam is touched. Default: "disc".
+
+    Examples
+    --------
+    >>> linkage_coupling_cam = kinds.LinkageCouplingCam(
+    ...     centre="eccentric.C",
+    ...     roller="lever.R",
+    ...     base_radius="50 mm",
+    ...     roller_radius="10 mm",
+    ... )
+    >>> linkage_coupling_cam.centre
+    'eccentric.C'
     """
 
     __slots__ = ()
@@ -1873,6 +2166,10 @@ class LinkageForce(Tree):
         A force on a point along a direction, over the input coordinate.
     torsion
         A spring and a damper in a revolute pair.
+
+    Examples
+    --------
+    >>> linkage_force = kinds.LinkageForce(couple={"link": "crank", "moment": 0.1})
     """
 
     __slots__ = ()
@@ -1908,6 +2205,12 @@ class LinkageForceForce(Tree):
         Where it acts.
     follows
         True: the force turns with the link; false: its direction is fixed. Default: false.
+
+    Examples
+    --------
+    >>> linkage_force_force = kinds.LinkageForceForce(point="rod.E", force=[1, 0])
+    >>> linkage_force_force.point
+    'rod.E'
     """
 
     __slots__ = ()
@@ -1941,6 +2244,15 @@ class LinkageForceTable(Tree):
     period
         Repeats after this much of the input coordinate (angle in rad, deg, mrad or rev; or
         length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> linkage_force_table = kinds.LinkageForceTable(
+    ...     point="ram.origin",
+    ...     points=[["0 deg", 0], ["90 deg", "-2 kN"]],
+    ... )
+    >>> linkage_force_table.point
+    'ram.origin'
     """
 
     __slots__ = ()
@@ -1993,6 +2305,12 @@ class LinkageInput(Tree):
         and `angle` are inputs too.
     y
         y of the origin of a link that floats.
+
+    Examples
+    --------
+    >>> linkage_input = kinds.LinkageInput(pair="O")
+    >>> linkage_input.pair
+    'O'
     """
 
     __slots__ = ()
@@ -2045,6 +2363,12 @@ class LinkageLink(Tree):
     points
         Points by name, each [x, y] in the frame of the link; `origin` is always there.
         Default: {}.
+
+    Examples
+    --------
+    >>> linkage_link = kinds.LinkageLink(mass=1)
+    >>> linkage_link.mass
+    1
     """
 
     __slots__ = ()
@@ -2089,6 +2413,12 @@ class LinkageLinkGeometry(Tree):
         Point at which it ends.
     width
         Width of the section, with `density` (length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> linkage_link_geometry = kinds.LinkageLinkGeometry(mass=0.2)
+    >>> linkage_link_geometry.mass
+    0.2
     """
 
     __slots__ = ()
@@ -2130,6 +2460,12 @@ class LinkageOutput(Tree):
         The coordinate of a pair.
     point
         The displacement of a point along a direction.
+
+    Examples
+    --------
+    >>> linkage_output = kinds.LinkageOutput(pair="B")
+    >>> linkage_output.pair
+    'B'
     """
 
     __slots__ = ()
@@ -2170,6 +2506,10 @@ class LinkagePair(Tree):
     weld
         Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam
         forces` prints its force and couple.
+
+    Examples
+    --------
+    >>> linkage_pair = kinds.LinkagePair(revolute=["k2.E", "k4.E"])
     """
 
     __slots__ = ()
@@ -2234,6 +2574,12 @@ class Load(Tree):
         Weight: W = −m·g·sin(inclination).
     window
         Constant force while the driver, or the object `over`, is between two positions.
+
+    Examples
+    --------
+    >>> load = kinds.Load(viscous=50)
+    >>> load.viscous
+    50
     """
 
     __slots__ = ()
@@ -2291,6 +2637,12 @@ class Material(Tree):
         Poisson's ratio of the counter-body; absent: that of the object (a pure number)
     poisson_ratio
         Poisson's ratio of the object. (a pure number) Default: 0.3.
+
+    Examples
+    --------
+    >>> material = kinds.Material(thickness="15 mm", modulus="206 GPa")
+    >>> material.thickness
+    '15 mm'
     """
 
     __slots__ = ()
@@ -2348,6 +2700,12 @@ class Motion(Tree):
     unit
         Unit of the value of `expression`; default SI (angle in rad, deg, mrad or rev; or
         length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> motion = kinds.Motion(fixed=0)
+    >>> motion.fixed
+    0
     """
 
     __slots__ = ()
@@ -2408,6 +2766,12 @@ class Motor(Tree):
         mm/s, m/min, in/s or ft/s) Default: 0.0.
     torque
         Driving torque over speed.
+
+    Examples
+    --------
+    >>> motor = kinds.Motor(inertia="2 kg m^2", torque={"constant": 0})
+    >>> motor.inertia
+    '2 kg m^2'
     """
 
     __slots__ = ()
@@ -2451,6 +2815,16 @@ class Optimize(Tree):
         Number of starts (8).
     subject
         Conditions on results: "valve.pair.margin >= 50 N". Default: [].
+
+    Examples
+    --------
+    >>> optimize = kinds.Optimize(
+    ...     vary=["follower.loads.spring.spring.rate=0:5000 N/m"],
+    ...     subject=["follower.pair.margin >= 0"],
+    ...     minimize="follower.loads.spring.spring.rate",
+    ... )
+    >>> optimize.minimize
+    'follower.loads.spring.spring.rate'
     """
 
     __slots__ = ()
@@ -2491,6 +2865,12 @@ class Pair(Tree):
         and b of link 1. Default: "kelvin_voigt".
     opens
         Side to which a force-closed pair lifts off. Default: "+".
+
+    Examples
+    --------
+    >>> pair = kinds.Pair(closure="force")
+    >>> pair.closure
+    'force'
     """
 
     __slots__ = ()
@@ -2539,6 +2919,12 @@ class PairContact(Tree):
         m/rad^(3/2) where the exponent is 3/2; none of `restitution` (rotational stiffness
         in N m/rad, N m, kN m/rad, N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm
         or lbf/in)
+
+    Examples
+    --------
+    >>> pair_contact = kinds.PairContact(restitution=0.5)
+    >>> pair_contact.restitution
+    0.5
     """
 
     __slots__ = ()
@@ -2580,6 +2966,20 @@ class Plan(Tree):
     phase
         Added to the driver's displacement (or to the time) (angle in rad, deg, mrad or rev;
         or length in m, mm, cm, µm, in or ft; or time in s, ms, µs, min or h) Default: 0.0.
+
+    Examples
+    --------
+    >>> plan = kinds.Plan(
+    ...     stations=[
+    ...         {"at": 0, "displacement": "-0.2 mm", "motion": "4-5-6-7"},
+    ...         {"at": "70 deg", "displacement": "10.5 mm", "motion": "dwell"},
+    ...         {"at": "74 deg", "displacement": "10.5 mm", "motion": "4-5-6-7"},
+    ...         {"at": "144 deg", "displacement": "-0.2 mm", "motion": "dwell"},
+    ...     ],
+    ...     period="360 deg",
+    ... )
+    >>> plan.period
+    '360 deg'
     """
 
     __slots__ = ()
@@ -2610,6 +3010,12 @@ class Planetary(Tree):
         (a pure number)
     teeth
         Tooth numbers of sun and ring gear.
+
+    Examples
+    --------
+    >>> planetary = kinds.Planetary(basic_ratio=-3)
+    >>> planetary.basic_ratio
+    -3
     """
 
     __slots__ = ()
@@ -2639,6 +3045,17 @@ class PlannedMotion(Tree):
         Run-up, uniform motion and run-out.
     table
         List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, at rest at both ends.
+
+    Examples
+    --------
+    >>> planned_motion = kinds.PlannedMotion(
+    ...     sections={
+    ...         "run_up": "equilateral_trapezoid",
+    ...         "run_out": "cosine",
+    ...         "skewness": 3,
+    ...         "uniform": 0,
+    ...     },
+    ... )
     """
 
     __slots__ = ()
@@ -2688,6 +3105,12 @@ class Point(Tree):
     radius
         Radius of the object: positive convex, negative hollow; absent: flat (length in m,
         mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> point = kinds.Point(modulus="206 GPa", radius="20 mm", arm="0.2 m")
+    >>> point.modulus
+    '206 GPa'
     """
 
     __slots__ = ()
@@ -2729,6 +3152,10 @@ class Polynomial(Tree):
         θ, θ′, θ″, … at τ = 0.
     through
         Points [τ, θ] between the ends. Default: [].
+
+    Examples
+    --------
+    >>> polynomial = kinds.Polynomial(start=[0, 1.5], end=[1, 0])
     """
 
     __slots__ = ()
@@ -2772,6 +3199,12 @@ class Position(Tree):
         the slot; crank or block drives.
     table
         Smooth spline through given points.
+
+    Examples
+    --------
+    >>> position = kinds.Position(ratio=1)
+    >>> position.ratio
+    1
     """
 
     __slots__ = ()
@@ -2822,6 +3255,19 @@ class PositionCam(Tree):
     rest
         Angle of the rest; if given, the four angles must make a full turn (angle in rad,
         deg, mrad or rev)
+
+    Examples
+    --------
+    >>> position_cam = kinds.PositionCam(
+    ...     lift="10.5 mm",
+    ...     rise="70 deg",
+    ...     dwell="4 deg",
+    ...     return_="70 deg",
+    ...     law="4-5-6-7",
+    ...     phase="-30 deg",
+    ... )
+    >>> position_cam.lift
+    '10.5 mm'
     """
 
     __slots__ = ()
@@ -2857,6 +3303,12 @@ class PositionCamLaw(Tree):
         Law of the return, run backwards.
     rise
         Law of the rise.
+
+    Examples
+    --------
+    >>> position_cam_law = kinds.PositionCamLaw(rise="harmonic", return_="cycloidal")
+    >>> position_cam_law.rise
+    'harmonic'
     """
 
     __slots__ = ()
@@ -2880,6 +3332,10 @@ class PositionPolynomial(Tree):
     ----------
     coefficients
         a₀, a₁, a₂, … in SI units (or texts with units), lowest power first.
+
+    Examples
+    --------
+    >>> position_polynomial = kinds.PositionPolynomial(coefficients=[0, 0.002, 0.0001])
     """
 
     __slots__ = ()
@@ -2905,6 +3361,10 @@ class PositionTable(Tree):
         Repeats after this much of that displacement; without it the force is constant
         outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in
         or ft)
+
+    Examples
+    --------
+    >>> position_table = kinds.PositionTable(points=[["190 mm", 0], ["220 mm", "-40 kN"]])
     """
 
     __slots__ = ()
@@ -2939,6 +3399,12 @@ class Rack(Tree):
         Angle of the second wheel (or displacement of the rack) seen from the carrier where
         that of the first is zero: how they were put together (length in m, mm, cm, µm, in
         or ft) Default: 0.0.
+
+    Examples
+    --------
+    >>> rack = kinds.Rack(wheels=["rocker", "rack"], radius="60 mm", offset="-120 mm")
+    >>> rack.radius
+    '60 mm'
     """
 
     __slots__ = ()
@@ -2970,6 +3436,12 @@ class Ratio(Tree):
     offset
         U at φ = 0 (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
         Default: 0.0.
+
+    Examples
+    --------
+    >>> ratio = kinds.Ratio(ratio=0.25)
+    >>> ratio.ratio
+    0.25
     """
 
     __slots__ = ()
@@ -3052,6 +3524,18 @@ class Rocker(Tree):
         Stiffness of each link
     stops
         One-sided stops of the last mass against the ground, by name. Default: {}.
+
+    Examples
+    --------
+    >>> rocker = kinds.Rocker(
+    ...     "shaft",
+    ...     from_="rocker/steel-lever-205mm",
+    ...     position={"sine": {"amplitude": "90 deg"}},
+    ...     masses=2,
+    ...     pair={"closure": "form", "gap": "0.1 mrad"},
+    ... )
+    >>> rocker.from_
+    'rocker/steel-lever-205mm'
     """
 
     __slots__ = ()
@@ -3126,6 +3610,18 @@ class RockerGeometry(Tree):
         Young's modulus of the material (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     width
         Width of the section, along the axis (length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> rocker_geometry = kinds.RockerGeometry(
+    ...     length="120 mm",
+    ...     width="12 mm",
+    ...     height="30 mm",
+    ...     density=2700,
+    ...     modulus="70 GPa",
+    ... )
+    >>> rocker_geometry.length
+    '120 mm'
     """
 
     __slots__ = ()
@@ -3190,6 +3686,12 @@ class Run(Tree):
     window
         [from, to]: window of the steady results. Default: the last whole cycle of the
         drive.
+
+    Examples
+    --------
+    >>> run = kinds.Run(duration=1, start="on_law")
+    >>> run.duration
+    1
     """
 
     __slots__ = ()
@@ -3241,6 +3743,10 @@ class RunLaw(Tree):
     trapezoid
         Modified trapezoid of general form: shares of rise and fall of the acceleration,
         together at most 1.
+
+    Examples
+    --------
+    >>> run_law = kinds.RunLaw(trapezoid={"s1": 0.25, "s2": 0.25})
     """
 
     __slots__ = ()
@@ -3277,6 +3783,12 @@ class RunUp(Tree):
         length in m, mm, cm, µm, in or ft) Default: 0.0.
     law
         Law of the run-up; default: speed 3τ² − 2τ³ of the final one.
+
+    Examples
+    --------
+    >>> run_up = kinds.RunUp(speed="40 rad/s", time="0.5 s")
+    >>> run_up.speed
+    '40 rad/s'
     """
 
     __slots__ = ()
@@ -3308,6 +3820,12 @@ class Scca(Tree):
         Share of the sines at both ends together. (a pure number)
     d
         Share of the cosine about the middle. (a pure number)
+
+    Examples
+    --------
+    >>> scca = kinds.Scca(b=0.25, d=0.5)
+    >>> scca.b
+    0.25
     """
 
     __slots__ = ()
@@ -3338,6 +3856,17 @@ class Sections(Tree):
     uniform
         Share of the whole duration with uniform motion, below 1. (a pure number) Default:
         0.0.
+
+    Examples
+    --------
+    >>> sections = kinds.Sections(
+    ...     run_up="equilateral_trapezoid",
+    ...     run_out="cosine",
+    ...     skewness=3,
+    ...     uniform=0,
+    ... )
+    >>> sections.run_up
+    'equilateral_trapezoid'
     """
 
     __slots__ = ()
@@ -3424,6 +3953,12 @@ class Shaft(Tree):
         Stiffness of each link
     stops
         One-sided stops of the last mass against the ground, by name. Default: {}.
+
+    Examples
+    --------
+    >>> shaft = kinds.Shaft("motor", from_="shaft/ball-screw-40mm")
+    >>> shaft.from_
+    'shaft/ball-screw-40mm'
     """
 
     __slots__ = ()
@@ -3499,6 +4034,17 @@ class ShaftGeometry(Tree):
     bore
         Diameter of the bore, less than `diameter` (length in m, mm, cm, µm, in or ft)
         Default: 0.0.
+
+    Examples
+    --------
+    >>> shaft_geometry = kinds.ShaftGeometry(
+    ...     diameter="30 mm",
+    ...     length="500 mm",
+    ...     density=7850,
+    ...     shear_modulus="80 GPa",
+    ... )
+    >>> shaft_geometry.diameter
+    '30 mm'
     """
 
     __slots__ = ()
@@ -3537,6 +4083,12 @@ class Sine(Tree):
         or ft) Default: 0.0.
     phase
         Phase at φ = 0 (angle in rad, deg, mrad or rev) Default: 0.0.
+
+    Examples
+    --------
+    >>> sine = kinds.Sine(amplitude=0.05)
+    >>> sine.amplitude
+    0.05
     """
 
     __slots__ = ()
@@ -3622,6 +4174,12 @@ class Slider(Tree):
         Stiffness of each link
     stops
         One-sided stops of the last mass against the ground, by name. Default: {}.
+
+    Examples
+    --------
+    >>> slider = kinds.Slider("feed", position={"ratio": 1}, inertia=1, stiffness=10000, masses=1)
+    >>> slider.input
+    'feed'
     """
 
     __slots__ = ()
@@ -3697,6 +4255,12 @@ class SliderCrank(Tree):
         Default: 0.0.
     phase
         Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+
+    Examples
+    --------
+    >>> slider_crank = kinds.SliderCrank(crank="100 mm", rod="80 mm")
+    >>> slider_crank.crank
+    '100 mm'
     """
 
     __slots__ = ()
@@ -3742,6 +4306,12 @@ class Sliding(Tree):
     through
         In place of `direction`: another point of the guide's axis, towards which it is
         directed.
+
+    Examples
+    --------
+    >>> sliding = kinds.Sliding(guide="ground.G", block="ram.origin")
+    >>> sliding.guide
+    'ground.G'
     """
 
     __slots__ = ()
@@ -3789,6 +4359,12 @@ class SlottedLink(Tree):
     phase
         Added to the driver's displacement (angle in rad, deg, mrad or rev; or length in m,
         mm, cm, µm, in or ft) Default: 0.0.
+
+    Examples
+    --------
+    >>> slotted_link = kinds.SlottedLink(crank="80 mm", frame="200 mm")
+    >>> slotted_link.crank
+    '80 mm'
     """
 
     __slots__ = ()
@@ -3824,6 +4400,12 @@ class Spring(Tree):
     preload
         Force at φ = 0, positive towards negative displacement (moment in N m, kN m, N mm,
         lbf ft or lbf in; or force in N, kN, MN, lbf or kgf) Default: 0.0.
+
+    Examples
+    --------
+    >>> spring = kinds.Spring(rate=5000)
+    >>> spring.rate
+    5000
     """
 
     __slots__ = ()
@@ -3849,6 +4431,10 @@ class Start(Tree):
         Displacement of each mass
     speed
         Speed of each mass
+
+    Examples
+    --------
+    >>> start = kinds.Start(displacement=[0], speed=[0])
     """
 
     __slots__ = ()
@@ -3891,6 +4477,12 @@ class Stations(Tree):
         length per angle in m/rad, mm/rad, mm/rev or mm; or angle per length in rad/m,
         rad/mm or deg/mm; or angular speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in
         m/s, mm/s, m/min, in/s or ft/s)
+
+    Examples
+    --------
+    >>> stations = kinds.Stations(at=0, displacement=0, motion="3-4-5")
+    >>> stations.at
+    0
     """
 
     __slots__ = ()
@@ -3942,6 +4534,12 @@ class Steady(Tree):
         Default: 1.
     tolerance
         How far the mean speed may be off, relative (a pure number) Default: 1e-12.
+
+    Examples
+    --------
+    >>> steady = kinds.Steady(mean_speed="200 rad/s", balance=True)
+    >>> steady.mean_speed
+    '200 rad/s'
     """
 
     __slots__ = ()
@@ -3982,6 +4580,20 @@ class Stop(Tree):
         Its contact.
     side
         `-`: it holds the mass from going below `at`; `+`: from going above.
+
+    Examples
+    --------
+    >>> stop = kinds.Stop(
+    ...     at="0 mm",
+    ...     side="-",
+    ...     contact={
+    ...         "law": "kelvin_voigt",
+    ...         "stiffness": "20 kN/mm",
+    ...         "damping": "1500 N s/m",
+    ...     },
+    ... )
+    >>> stop.at
+    '0 mm'
     """
 
     __slots__ = ()
@@ -4026,6 +4638,16 @@ class StopContact(Tree):
         m/rad^(3/2) where the exponent is 3/2; none of `restitution` (rotational stiffness
         in N m/rad, N m, kN m/rad, N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm
         or lbf/in)
+
+    Examples
+    --------
+    >>> stop_contact = kinds.StopContact(
+    ...     law="kelvin_voigt",
+    ...     stiffness="20 kN/mm",
+    ...     damping="1500 N s/m",
+    ... )
+    >>> stop_contact.law
+    'kelvin_voigt'
     """
 
     __slots__ = ()
@@ -4070,6 +4692,12 @@ class Strut(Tree):
         0.0.
     rate
         Rate of the spring (stiffness in N/m, N/mm, kN/mm or lbf/in) Default: 0.0.
+
+    Examples
+    --------
+    >>> strut = kinds.Strut(from_="ground.C", to="k3.D", rate=4530, free_length=0.07785)
+    >>> strut.from_
+    'ground.C'
     """
 
     __slots__ = ()
@@ -4111,6 +4739,15 @@ class Table(Tree):
     periodic
         True: the table repeats. Without `period` the last point closes the period; it has
         the displacement of the first. Default true with `period`. Default: false.
+
+    Examples
+    --------
+    >>> table = kinds.Table(
+    ...     points={"file": "measured_lift.csv", "columns": ["angle", "lift"]},
+    ...     periodic=True,
+    ... )
+    >>> table.periodic
+    True
     """
 
     __slots__ = ()
@@ -4141,6 +4778,12 @@ class TableFile(Tree):
         units: angle [deg], lift [mm].
     columns
         Names of the two columns that are meant; needed where there are more.
+
+    Examples
+    --------
+    >>> table_file = kinds.TableFile(file="measured_lift.csv", columns=["angle", "lift"])
+    >>> table_file.file
+    'measured_lift.csv'
     """
 
     __slots__ = ()
@@ -4166,6 +4809,12 @@ class Teeth(Tree):
         Teeth of the ring gear.
     sun
         Teeth of the sun gear.
+
+    Examples
+    --------
+    >>> teeth = kinds.Teeth(sun=24, ring=72)
+    >>> teeth.sun
+    24
     """
 
     __slots__ = ()
@@ -4204,6 +4853,12 @@ class Torque(Tree):
     unit
         Unit of the value of `expression`; default SI (moment in N m, kN m, N mm, lbf ft or
         lbf in)
+
+    Examples
+    --------
+    >>> torque = kinds.Torque(constant=0)
+    >>> torque.constant
+    0
     """
 
     __slots__ = ()
@@ -4239,6 +4894,12 @@ class TorqueLinear(Tree):
         Speed without load, ω₀ (angular speed in rad/s, rev/s, rpm, 1/min or deg/s)
     stall_torque
         Torque at rest, T₀ (moment in N m, kN m, N mm, lbf ft or lbf in)
+
+    Examples
+    --------
+    >>> torque_linear = kinds.TorqueLinear(stall_torque=6, no_load_speed=9)
+    >>> torque_linear.stall_torque
+    6
     """
 
     __slots__ = ()
@@ -4270,6 +4931,12 @@ class Torsion(Tree):
     rate
         Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad, N m/deg or lbf
         ft/rad) Default: 0.0.
+
+    Examples
+    --------
+    >>> torsion = kinds.Torsion(pair="O", rate="20 N m/rad", free_angle="30 deg")
+    >>> torsion.pair
+    'O'
     """
 
     __slots__ = ()
@@ -4299,6 +4966,12 @@ class Trapezoid(Tree):
         Share of the rise, a quarter sine. (a pure number)
     s2
         Share of the fall, a quarter cosine. (a pure number)
+
+    Examples
+    --------
+    >>> trapezoid = kinds.Trapezoid(s1=0.25, s2=0.25)
+    >>> trapezoid.s1
+    0.25
     """
 
     __slots__ = ()
@@ -4325,6 +4998,12 @@ class Until(Tree):
         clearance of the object, in SI units: "phi > 0.3 && t > 1".
     of
         Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.
+
+    Examples
+    --------
+    >>> until = kinds.Until(of="gear", condition="phi > pi")
+    >>> until.of
+    'gear'
     """
 
     __slots__ = ()
@@ -4349,6 +5028,12 @@ class Weight(Tree):
     inclination
         Angle of the positive direction above the horizontal (angle in rad, deg, mrad or
         rev)
+
+    Examples
+    --------
+    >>> weight = kinds.Weight(inclination="90 deg")
+    >>> weight.inclination
+    '90 deg'
     """
 
     __slots__ = ()
@@ -4375,6 +5060,12 @@ class Weld(Tree):
     angle
         Angle of the second link's frame less that of the first (angle in rad, deg, mrad or
         rev) Default: 0.0.
+
+    Examples
+    --------
+    >>> weld = kinds.Weld(on="rod.W", link="tip.origin", angle="-90 deg")
+    >>> weld.on
+    'rod.W'
     """
 
     __slots__ = ()
@@ -4412,6 +5103,12 @@ class Window(Tree):
     period
         Repeats after this much of that displacement; default one turn of what turns (angle
         in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
+
+    Examples
+    --------
+    >>> window = kinds.Window(from_="285 deg", to="330 deg", force="-9 N")
+    >>> window.from_
+    '285 deg'
     """
 
     __slots__ = ()

@@ -53,6 +53,14 @@ def position(
     name
         Stands for it in the scene's hash: the same for the same function, so that results
         that are kept are found again. Default: a name that no other function has.
+
+    Examples
+    --------
+    >>> import math
+    >>> lift = dam.own.position(lambda phi: 0.01 * (1 - math.cos(phi)))
+    >>> follower = kinds.Slider("shaft", position=lift, inertia="3 kg")
+    >>> lift.values < 1000
+    True
     """
     found = _dam.position(function, period, reach, list(breaks), name)
     for order, given in ((1, first), (2, second)):
@@ -91,6 +99,12 @@ def motion_law(function: Callable[[float], float], *, accuracy: float = 1e-7) ->
     It becomes a table of as many points as its smooth spline needs to follow it within
     `accuracy` of the stroke, at most 500: so often the function is asked. What is not at 0
     and 1, or not at rest there, raises `SceneError`.
+
+    Examples
+    --------
+    >>> table = dam.own.motion_law(lambda tau: tau**3 * (10 - 15 * tau + 6 * tau**2))
+    >>> len(table["table"]) <= 500
+    True
     """
     for place, wanted in ((0.0, 0.0), (1.0, 1.0)):
         found = float(function(place))
@@ -148,6 +162,12 @@ def load_function(
         The mass it acts on: `"last"`, `"first"`, `"all"` or its number.
     name
         Stands for it in texts and in the scene's hash.
+
+    Examples
+    --------
+    >>> import math
+    >>> brush = dam.own.load_function(lambda phi, speed: -10 * math.tanh(20 * speed), magnitude=10)
+    >>> table = kinds.Slider("shaft", position={"sine": {"amplitude": 1}}, loads={"brush": brush})
     """
     if not (math.isfinite(magnitude) and magnitude >= 0.0):
         raise ValueError("magnitude is a force, finite and not negative")
@@ -166,7 +186,19 @@ on it."""
 def expand(scene: Union[str, Mapping[str, Value]], kinds: Mapping[str, OwnKind]) -> Scene:
     """A scene, a JSON text or its tree, with objects of kinds of one's own: each is replaced
     by what its function gives, before the scene is read. It costs a call an object; runs cost
-    what the objects of the library cost. Faults then name addresses, not lines."""
+    what the objects of the library cost. Faults then name addresses, not lines.
+
+    Examples
+    --------
+    >>> def disc(identifier, properties):
+    ...     inertia = 0.5 * properties["mass"] * properties["radius"] ** 2
+    ...     return {identifier: kinds.Shaft("motor", inertia=inertia, masses=0)}
+    >>> motor = kinds.Drive(motion=kinds.Motion(speed="300 rpm"))
+    >>> objects = {"motor": motor, "wheel": {"kind": "disc", "mass": 4, "radius": 0.1}}
+    >>> tree = {"dam": 1, "name": "Disc", "objects": objects, "run": {"duration": 1}}
+    >>> dam.own.expand(tree, {"disc": disc}).check()
+    []
+    """
     tree = json.loads(scene) if isinstance(scene, str) else dict(scene)
     if not isinstance(tree, dict) or not isinstance(tree.get("objects"), Mapping):
         raise SceneError("a scene holds `objects`")

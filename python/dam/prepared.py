@@ -27,6 +27,17 @@ class PreparedScene:
     A point that cannot be run has NaN for its figures, a verdict and a cause. What is no
     point at all (another number of values than of parameters, NaN, infinite values) raises
     `dam.SceneError`.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> prepared = scene.prepare(["rocker.inertia"], ["rocker.delta_abs"])
+    >>> prepared.parameters, prepared.parameter_units, prepared.values.tolist()
+    (['rocker.inertia'], ['kg m²'], [0.1])
+    >>> prepared.figures, prepared.units, prepared.remarks
+    (['rocker.delta_abs'], ['rad'], [])
+    >>> prepared([0.1]).round(6).tolist()
+    [0.007501]
     """
 
     __slots__ = ("_check", "_core", "_digits", "_scene")
@@ -80,7 +91,16 @@ class PreparedScene:
         return _array(self._core.figures_at(_list(values)))
 
     def at(self, values: Numbers) -> Point:
-        """The point at values of the parameters, with verdict and cause."""
+        """The point at values of the parameters, with verdict and cause.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> prepared = scene.prepare(["rocker.inertia"], ["rocker.delta_abs"])
+        >>> point = prepared.at([0.1])
+        >>> point.verdict, round(point["rocker.delta_abs"], 6)
+        ('lift_off', 0.007501)
+        """
         return Point(self, self._core.at(_list(values)))
 
     def table(
@@ -93,7 +113,16 @@ class PreparedScene:
     ) -> Points:
         """The points at rows of values, a column a parameter; of a single parameter the values
         may stand in a plain list. On all threads, or on so many; the results do not depend
-        on their number."""
+        on their number.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> prepared = scene.prepare(["rocker.inertia"], ["rocker.delta_abs"])
+        >>> table = prepared.table([[0.05], [0.1]])
+        >>> table["rocker.delta_abs"].round(6).tolist(), table.verdicts
+        ([8.9e-05, 0.007501], ['in_working_order', 'lift_off'])
+        """
         from dam.scene import _terms
 
         rows = _rows(points)
@@ -109,7 +138,15 @@ class PreparedScene:
 
 
 class Point:
-    """The scene at some values of its parameters."""
+    """The scene at some values of its parameters.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> point = scene.prepare("rocker.inertia", "rocker.delta_abs", check=True).at([0.1])
+    >>> point.values.round(6).tolist(), point.determined, point.moved[0] < 1e-3
+    ([0.007501], [True], True)
+    """
 
     __slots__ = (
         "_determined",
@@ -176,7 +213,18 @@ class Point:
 
 
 class Points:
-    """Points of a prepared scene, in the order of the rows of values."""
+    """Points of a prepared scene, in the order of the rows of values.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> prepared = scene.prepare("rocker.inertia", "rocker.delta_abs", check=True)
+    >>> points = prepared.table([0.1, -1.0])
+    >>> points.values.round(6).tolist(), points.moved.shape, points.verdicts, points.judgements
+    ([[0.007501], [nan]], (2, 1), ['lift_off', 'refused'], ['not_in_working_order', None])
+    >>> points.determined, len(points.doubts), points.causes[1]
+    ([[True], [None]], 2, '`inertia` must be at least 0, found -1 kg m^2')
+    """
 
     __slots__ = ("_core", "_prepared", "_rows")
 
@@ -239,7 +287,15 @@ class Points:
         return numpy.asarray(self._core.column(index))
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A data frame: parameters, figures, verdict, judgement and cause."""
+        """A data frame: parameters, figures, verdict, judgement and cause.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> prepared = scene.prepare(["rocker.inertia"], ["rocker.delta_abs"])
+        >>> list(prepared.table([0.05, 0.1]).to_pandas().columns)
+        ['rocker.inertia', 'rocker.delta_abs', 'verdict', 'judgement', 'cause']
+        """
         import pandas
 
         parameters, figures = self._prepared.parameters, self._prepared.figures

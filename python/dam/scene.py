@@ -19,7 +19,14 @@ __all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema"
 
 
 class Tqdm(Protocol):
-    """What `tqdm.tqdm(total=1.0)` makes, or anything like it."""
+    """What `tqdm.tqdm(total=1.0)` makes, or anything like it.
+
+    Examples
+    --------
+    >>> from tqdm import tqdm
+    >>> with tqdm(total=1.0, disable=True) as bar:
+    ...     run = dam.load("scenarios/rocker/two_masses.json").run(progress=bar)
+    """
 
     total: float | None
     n: float
@@ -124,6 +131,23 @@ class Scene:
     or see `check`. Questions that may take long have a `progress` and a `time_limit` (s of
     wall-clock time): a run that has not ended by then says so in its verdict and is as far as it
     came; other questions raise `dam.TimeLimitError`.
+
+    Examples
+    --------
+    >>> scene = dam.Scene(
+    ...     "Shaking table",
+    ...     {
+    ...         "shaft": kinds.Drive(motion=kinds.Motion(speed="300 rpm")),
+    ...         "table": kinds.Slider(
+    ...             "shaft", position={"sine": {"amplitude": "10 mm"}}, inertia="3 kg", masses=0
+    ...         ),
+    ...     },
+    ...     run="0.2 s",
+    ... )
+    >>> scene.name, scene.check(), scene.settings, len(scene.hash)
+    ('Shaking table', [], [], 64)
+    >>> dam.loads(scene.json) == scene
+    True
     """
 
     __slots__ = ("_core", "_source")
@@ -183,7 +207,15 @@ class Scene:
         return self._core.identity()[1]
 
     def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
-        """Writes the scene as JSON, as `json` has it. `force`: also over a file that is there."""
+        """Writes the scene as JSON, as `json` has it. `force`: also over a file that is there.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.set("rocker.masses", 10).save("ten_masses.json")
+        >>> dam.load("ten_masses.json").name
+        'Rocker of a cam mechanism, two masses'
+        """
         text = self.json
         with open(path, "w" if force else "x", encoding="utf-8") as file:
             file.write(text if text.endswith("\n") else text + "\n")
@@ -191,11 +223,25 @@ class Scene:
     def set(self, address: str, value: Value) -> Scene:
         """Another scene, in which the property at an address has this value:
         `scene.set("rocker.masses", 10)`. Later settings win; they also reach what an object
-        copies from the catalogue."""
+        copies from the catalogue.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.set("rocker.masses", 10).set("rocker.stiffness", "1e7 N m/rad").settings
+        ['rocker.masses=10', 'rocker.stiffness="1e7 N m/rad"']
+        """
         return Scene._of(self._core.set(address, value), self._source)
 
     def check(self) -> list[Fault]:
-        """What is wrong and what should be known, each with its place; empty: nothing."""
+        """What is wrong and what should be known, each with its place; empty: nothing.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> [fault.message for fault in scene.set("rocker.inertia", -1).check()]
+        ['`inertia` must be at least 0, found -1 kg m^2']
+        """
         return self._core.check()
 
     def show(
@@ -205,12 +251,26 @@ class Scene:
         form: Literal["text", "dot", "svg", "latex"] = "text",
     ) -> str:
         """The object graph, the dynamic model with its natural frequencies, the equations of
-        motion: in words, the graph also as Graphviz or a drawing, the equations as LaTeX."""
+        motion: in words, the graph also as Graphviz or a drawing, the equations as LaTeX.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> print(scene.show("graph").splitlines()[0])
+        shaft  drive, 62.83 rad/s
+        """
         return self._core.show(view, form)
 
     def show_document(self) -> dict[str, answers.Json]:
         """The same as the document of `dam show --json`: inertias, stiffnesses, natural
-        frequencies, structure of linkages, equations."""
+        frequencies, structure of linkages, equations.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> list(scene.show_document())
+        ['dam', 'equations', 'exact', 'linkages', 'multi_linkages', 'natural_frequencies', 'objects', 'scene']
+        """
         import json
 
         document: dict[str, answers.Json] = json.loads(self._core.shown())
@@ -225,7 +285,15 @@ class Scene:
     ) -> answers.Run:
         """Runs the scene. A run that stops early raises nothing: see `verdict`. `spread`: it is
         run twice more, with loads and gaps changed by one part in 10 billion and with half the
-        tolerance, and `spread` of the answer tells how far each figure moves."""
+        tolerance, and `spread` of the answer tells how far each figure moves.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> run = scene.run(time_limit=60)
+        >>> print(run.verdict.headline, f"{run.figures['rocker.delta_abs']:.6f}")
+        Not in working order. 0.007501
+        """
         return answers.Run(*self._core.run(spread, _terms(progress, time_limit)))
 
     def compare(
@@ -237,7 +305,14 @@ class Scene:
         time_limit: float | None = None,
     ) -> answers.Comparison:
         """Runs the scene for several values of a parameter, and compares the figures with
-        those of the last: `compare("rocker.masses", [1, 2, 10])`."""
+        those of the last: `compare("rocker.masses", [1, 2, 10])`.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.compare("rocker.masses", [1, 2]).record["rocker.pair.separations"].tolist()
+        [75.0, 65.0]
+        """
         found = self._core.compare(address, list(values), _terms(progress, time_limit))
         return answers.Comparison(found)
 
@@ -267,6 +342,13 @@ class Scene:
             Whether each point is run a second time, to tell whether its figures are determined.
         digits
             Digits to which a figure is to be known so as to count as determined.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> prepared = scene.prepare("rocker.inertia", "rocker.delta_abs")
+        >>> prepared([0.1]).round(6).tolist()
+        [0.007501]
         """
         from dam.prepared import PreparedScene
 
@@ -305,6 +387,13 @@ class Scene:
         panels
             Several maps in one, for each value of further parameters: `"rocker.masses=1,2"`;
             lists that go together are separated by semicolons, several texts multiply.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> found = scene.map(("rocker.inertia", 0.05, 0.1, 2))
+        >>> found.verdicts
+        ['in_working_order', 'lift_off']
         """
         along = _axis(x)
         up = None if y is None else _axis(y)
@@ -348,6 +437,11 @@ class Scene:
         x
             A parameter: the methods are studied at each of its values, for the regions in
             which each is best.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json").set("run.duration", 0.02)
+        >>> scene.methods(methods=["exact"], repeats=1).recommended
         """
         along = None if x is None else _axis(x)
         terms = _terms(progress, time_limit)
@@ -386,6 +480,13 @@ class Scene:
         speed, acceleration
             Of the input over a turn or range (rad/s or m/s, and by s again); of several inputs
             for each by its name.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+        >>> found = scene.kinematics(range=(0.0, 3.141592653589793), positions=4)
+        >>> found.record["slide.displacement"].round(6).tolist()
+        [0.36, 0.339411, 0.293939, 0.254558, 0.24]
         """
         course = _course(object, (turn, range, time), inputs, positions, speed, acceleration)
         return answers.Kinematics(self._core.kinematics(course))
@@ -422,6 +523,13 @@ class Scene:
         direction
             Direction of sliding where the input rests; without it friction at rest is not
             determined.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+        >>> found = scene.forces(turn=True, frictionless=True)
+        >>> print(f"{found.record['drive'].max():.2f} N m")
+        61.18 N m
         """
         course = _course(object, (turn, range, time), inputs, positions, speed, acceleration)
         signs = {None: None, "forwards": 1.0, "backwards": -1.0}
@@ -436,7 +544,15 @@ class Scene:
     def steady(
         self, *, progress: Progress | None = None, time_limit: float | None = None
     ) -> answers.Steady:
-        """The steady motion that the scene's `steady` block asks for."""
+        """The steady motion that the scene's `steady` block asks for.
+
+        Examples
+        --------
+        >>> found = dam.load("scenarios/steady/engine.json").steady()
+        >>> omega = found.record["omega"]
+        >>> print(f"{omega.min():.3f} to {omega.max():.3f} rad/s")
+        119.873 to 279.010 rad/s
+        """
         return answers.Steady(self._core.steady(_terms(progress, time_limit)))
 
     def linearise(
@@ -445,7 +561,14 @@ class Scene:
         """The linear equations of elastic objects behind prescribed drives, or of a machine in the
         steady turning of its motor: natural modes, and A, B, C, D with names.
 
-        `scene.linearise().to_control()` is a state space of python-control."""
+        `scene.linearise().to_control()` is a state space of python-control.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.linearise().matrix("A").shape
+        (4, 4)
+        """
         return answers.Linearisation(self._core.linearise(_terms(progress, time_limit)))
 
     def response(
@@ -461,7 +584,15 @@ class Scene:
 
         `frequencies`: in Hz, ascending; without them around all natural frequencies. `inputs`:
         `"rocker.law"` (default: every law), `"rocker.load"`. `outputs`: `"rocker.delta"`, default
-        all. `accuracy`: relative error of the model up to which a response counts as right."""
+        all. `accuracy`: relative error of the model up to which a response counts as right.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> found = scene.response([10.0, 1669.0], outputs="rocker.displacement")
+        >>> found.record["gain"].round(2).tolist()
+        [0.0, 23.82]
+        """
         names = [[one] if isinstance(one, str) else list(one) for one in (inputs, outputs)]
         found = self._core.response(
             [float(one) for one in frequencies],
@@ -486,7 +617,15 @@ class Scene:
 
         `speeds`: from and to, in rad/s; default up to twice the speed of the scene. `highest`:
         the highest order. `accuracy`: amplitude of a deviation (rad or m) from which on a
-        resonance counts. `points`: speeds at which the greatest deviation is found."""
+        resonance counts. `points`: speeds at which the greatest deviation is found.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/valve_train/in_working_order.json")
+        >>> found = scene.orders(speeds=(52.0, 230.0), points=2)
+        >>> found.record.columns[:3]
+        ('order', 'mode', 'speed')
+        """
         found = self._core.orders(speeds, highest, accuracy, points, _terms(progress, time_limit))
         return answers.Orders(found)
 
@@ -531,6 +670,13 @@ class Scene:
         lift_off
             Whether the speed of the cam at which an elastic follower leaves it is searched for,
             by runs at other speeds of the drive: `Cam.lift_off`.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/cams/flat_tappet.json")
+        >>> cam = scene.cam(tolerance="2 um", reserve="50 N")
+        >>> print(cam.verdict.headline)
+        The face needs a width of 24.45487 mm; the follower stays in contact up to 4092.535 rpm.
         """
         left, is_force = str(reserve), isinstance(reserve, str) and not _is_number(reserve)
         found = self._core.cam(
@@ -551,7 +697,14 @@ class Scene:
 
     def law(self, object: str, *, samples: int = 360) -> answers.Law:
         """The whole cycle of the cam or plan that an object follows: joints, extremes,
-        shocks, and that many equal steps of it."""
+        shocks, and that many equal steps of it.
+
+        Examples
+        --------
+        >>> law = dam.load("scenarios/cams/flat_tappet.json").law("valve", samples=36)
+        >>> len(law.record)
+        51
+        """
         return answers.Law(self._core.law(object, samples))
 
     def compare_laws(
@@ -568,7 +721,16 @@ class Scene:
     ) -> answers.LawComparison:
         """Laws of motion at a place of the scene (`"valve.position.cam.law"`), ranked by what
         the mechanism makes of them: names, `"scca:B,D"` or JSON as in a scene, all named ones
-        if none. `lift_off`: also the speed of the drive (rad/s) at which the contact separates."""
+        if none. `lift_off`: also the speed of the drive (rad/s) at which the contact separates.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/valve_train/in_working_order.json")
+        >>> at = "valve.position.cam.law"
+        >>> found = scene.compare_laws(at, ["3-4-5", "cycloidal"], by="residual")
+        >>> print(found.verdict.headline)
+        Best by residual vibration: cycloidal, of 2 laws.
+        """
         wanted = lift_off or by == "lift_off"
         found = self._core.compare_laws(at, list(laws), by, wanted, _terms(progress, time_limit))
         return answers.LawComparison(found)
@@ -590,7 +752,17 @@ class Scene:
         `:65` behind it another number of values that are looked at first, with `:log` equal
         ratios between them. `subject`: conditions, `"valve.delta_abs <= 0.2 mm"`.
         `maximize` or `minimize`: the parameter itself, or a figure; without either the ranges
-        in which the conditions hold are found. Results do not depend on `threads`."""
+        in which the conditions hold are found. Results do not depend on `threads`.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/cams/eccentric_jump.json").set("follower.masses", 0)
+        >>> speed = "cam.motion.speed"
+        >>> held = "follower.pair.margin >= 0"
+        >>> found = scene.find(f"{speed}=40:60 rpm:9", subject=held)
+        >>> [tuple(round(end, 1) for end in one) for one in found.ranges]
+        [(40.0, 52.3)]
+        """
         if maximize is not None and minimize is not None:
             raise TypeError("one of maximize and minimize is given")
         conditions = [subject] if isinstance(subject, str) else list(subject)
@@ -618,7 +790,17 @@ class Scene:
         `"valve.pair.margin >= 50 N"`. `maximize` or `minimize`: a figure, or a variable itself.
         `starts`: the first at the values of the scene, the others evenly in all ranges; 8 if not
         said. What is not given is taken from the block `optimize` of the scene. Results do not
-        depend on `threads`."""
+        depend on `threads`.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/cams/eccentric_jump.json").set("follower.masses", 0)
+        >>> preload = "follower.loads.spring.spring.preload"
+        >>> held = "follower.pair.margin >= 0 N"
+        >>> found = scene.optimize(f"{preload}=0:10 N", subject=held, minimize=preload, starts=1)
+        >>> print(f"{found.values[preload]:.4f} N")
+        0.1931 N
+        """
         if maximize is not None and minimize is not None:
             raise TypeError("one of maximize and minimize is given")
         if starts is not None and not 1 <= starts <= 1000:
@@ -649,7 +831,15 @@ class Scene:
 
         `by`: addresses of numbers, `"rocker.inertia"`. `figures`: results of elastic objects,
         `"rocker.delta_max"`; those asked for most if none. `check`: whether the derivatives are
-        compared with differences of runs; up to five numbers and a thousand events if not said."""
+        compared with differences of runs; up to five numbers and a thousand events if not said.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json").set("run.duration", 0.02)
+        >>> found = scene.gradient("rocker.inertia", "rocker.delta_max", check=True)
+        >>> found.verdict_of("rocker.delta_max", "rocker.inertia")
+        'exact'
+        """
         paths = [by] if isinstance(by, str) else list(by)
         named = [figures] if isinstance(figures, str) else list(figures)
         found = self._core.gradient(paths, named, check, _terms(progress, time_limit))
@@ -674,7 +864,17 @@ class Scene:
         `"+0.01 -0.03 mm"`, `"±1 %"`, of a length `"h7"`. Numbers that deviate by the same have
         commas between them. `limits`: conditions that samples are to meet,
         `"rocker.delta_max <= 0.2 mrad"`. `samples=0`: the stack alone. The columns of the answer
-        are the samples. Results do not depend on `threads`."""
+        are the samples. Results do not depend on `threads`.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/kinetostatics/slider_crank.json")
+        >>> crank = "mechanism.links.crank.points.A[0]"
+        >>> stroke = "kinematics.mechanism.slide.stroke"
+        >>> found = scene.tolerance({crank: "±0.05 mm"}, stroke, samples=0)
+        >>> print([f"{1e3 * end:.2f} mm" for end in found.worst_case(stroke)])
+        ['119.90 mm', '120.10 mm']
+        """
         if isinstance(tolerances, Mapping):
             written = [f"{path}={tolerance}" for path, tolerance in tolerances.items()]
         else:
@@ -721,6 +921,14 @@ class Scene:
         until_first_separation
             Whether rows after the first separation of a contact, in the scene as it is, are left
             out.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/shafts/free_vibration.json")
+        >>> record, signals = "scenarios/shafts/released_wheel.csv", {"deflection": "wheel.delta"}
+        >>> found = scene.identify(record, signals, "wheel.stiffness=5:12 kN m/rad", starts=1)
+        >>> print("{:.3f} ± {:.3f} kN m/rad".format(*found.estimates["wheel.stiffness"]))
+        8.254 ± 0.004 kN m/rad
         """
         several = isinstance(records, list) or (
             isinstance(records, tuple) and not (len(records) == 2 and isinstance(records[1], Mapping))
@@ -741,14 +949,28 @@ class Scene:
     def verify(
         self, *, progress: Progress | None = None, time_limit: float | None = None
     ) -> answers.Requirements:
-        """Everything that the scene expects (`expect`), judged by every study that it takes."""
+        """Everything that the scene expects (`expect`), judged by every study that it takes.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/two_masses.json")
+        >>> scene.verify().hold
+        True
+        """
         return answers.Requirements(*self._core.verify(_terms(progress, time_limit)))
 
     def reduce(
         self, *, progress: Progress | None = None, time_limit: float | None = None
     ) -> answers.Reduction:
         """The smallest scene that gives figures within their accuracy: those of
-        `run.accuracy`, else those that the scene expects."""
+        `run.accuracy`, else those that the scene expects.
+
+        Examples
+        --------
+        >>> scene = dam.load("scenarios/rocker/ten_masses_closed.json").set("run.accuracy", "1 %")
+        >>> scene.reduce().holds
+        True
+        """
         found, core, holds = self._core.reduce(_terms(progress, time_limit))
         left = Scene._of(core, (core.json, "reduced scene", None))
         return answers.Reduction(found, left, holds)
@@ -859,7 +1081,13 @@ def _is_number(text: str) -> bool:
 
 def load(path: str | os.PathLike[str]) -> Scene:
     """Reads a scene's file. Objects are copied (`from`) out of the folder `objects` beside
-    it, then out of what is built in."""
+    it, then out of what is built in.
+
+    Examples
+    --------
+    >>> dam.load("scenarios/rocker/two_masses.json").name
+    'Rocker of a cam mechanism, two masses'
+    """
     path = os.fspath(path)
     core = _dam.Scene.read(path)
     folder = os.path.join(os.path.dirname(path), "objects")
@@ -867,13 +1095,27 @@ def load(path: str | os.PathLike[str]) -> Scene:
 
 
 def loads(text: str, name: str = "scene") -> Scene:
-    """A scene from its JSON text; `name` stands for it in what is said of its faults."""
+    """A scene from its JSON text; `name` stands for it in what is said of its faults.
+
+    Examples
+    --------
+    >>> scene = dam.load("scenarios/rocker/two_masses.json")
+    >>> dam.loads(scene.json, "copy") == scene
+    True
+    """
     return Scene._of(_dam.Scene.parse(text, name), (text, name, None))
 
 
 def law(law: str, *, run_up: bool = False, samples: int = 360) -> answers.Law:
     """A law of motion by itself: a name (`"modified_sine"`, `"3-4-5"`), `"scca:B,D"`,
-    `"trapezoid:S1,S2"`, or JSON as in a scene; `run_up`: as the law of a run-up."""
+    `"trapezoid:S1,S2"`, or JSON as in a scene; `run_up`: as the law of a run-up.
+
+    Examples
+    --------
+    >>> law = dam.law("modified_sine")
+    >>> print(f"{law.record['theta1'].max():.4f}")
+    1.7596
+    """
     return answers.Law(_dam.law_of(law, run_up, samples))
 
 
@@ -898,7 +1140,14 @@ def stroke(
     of the stroke or of the span, or the one with the least torque) are given; the fourth
     follows. Skewness, the angle of the run-out by that of the run-up, is given (default 1), or
     follows from the ratio of the greatest accelerations, or makes greatest acceleration or
-    torque least, that of the run-out weighted."""
+    torque least, that of the run-out weighted.
+
+    Examples
+    --------
+    >>> found = dam.stroke("sine", stroke="50 mm", span="120 deg", uniform_optimum=True)
+    >>> print(found.verdict.headline)
+    Stroke 50 mm in 120 deg, greatest speed 35.80986 mm/rad.
+    """
     ways = {
         "skewness": skewness,
         "acceleration_ratio": acceleration_ratio,
@@ -920,5 +1169,12 @@ def stroke(
 
 
 def schema() -> str:
-    """The JSON Schema of scenes, for editors and validators."""
+    """The JSON Schema of scenes, for editors and validators.
+
+    Examples
+    --------
+    >>> import json
+    >>> json.loads(dam.schema())["title"]
+    'Scene of dam, version 1'
+    """
     return _dam.schema()
