@@ -1201,22 +1201,33 @@ class FourBar(Tree):
 
 
 class Friction(Tree):
-    """Coulomb friction, regularised: W = −force·tanh(φ̇/width).
+    """Dry friction that sticks, with `sliding`; or Coulomb friction, regularised: W = −force·tanh(φ̇/width).
 
     Parameters
     ----------
     force
-        Force of sliding friction (moment in N m, kN m, N mm, lbf ft or lbf in; or force in
-        N, kN, MN, lbf or kgf)
+        Force of friction that is regularised over a `width`: it creeps (moment in N m, kN
+        m, N mm, lbf ft or lbf in; or force in N, kN, MN, lbf or kgf)
+    sliding
+        Friction while it slides; at rest it sticks, up to `static` (moment in N m, kN m, N
+        mm, lbf ft or lbf in; or force in N, kN, MN, lbf or kgf)
+    static
+        With `sliding`: greatest force that holds it at rest; default `sliding` (moment in N
+        m, kN m, N mm, lbf ft or lbf in; or force in N, kN, MN, lbf or kgf)
+    stribeck_speed
+        With `static`: speed over which friction falls from `static` towards `sliding`, F =
+        sliding + (static − sliding)·exp(−|φ̇|/stribeck_speed); without it at once (angular
+        speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or
+        ft/s)
     width
-        Regularisation width: speed at which 76 % of the force is reached (angular speed in
-        rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or ft/s)
+        With `force`: speed at which 76 % of the force is reached (angular speed in rad/s,
+        rev/s, rpm, 1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or ft/s)
 
     Examples
     --------
-    >>> friction = kinds.Friction(force="250 N", width="5 mm/s")
-    >>> friction.force
-    '250 N'
+    >>> friction = kinds.Friction(sliding="60 N m")
+    >>> friction.sliding
+    '60 N m'
     """
 
     __slots__ = ()
@@ -1224,11 +1235,17 @@ class Friction(Tree):
     def __init__(
         self,
         *,
-        force: Quantity,
-        width: Quantity,
+        force: Quantity | None = None,
+        sliding: Quantity | None = None,
+        static: Quantity | None = None,
+        stribeck_speed: Quantity | None = None,
+        width: Quantity | None = None,
     ) -> None:
         super().__init__(
             ("force", force),
+            ("sliding", sliding),
+            ("static", static),
+            ("stribeck_speed", stribeck_speed),
             ("width", width),
         )
 
@@ -2544,7 +2561,8 @@ class Load(Tree):
         Expression over t, phi and phi_dot of the mass, driver_phi and driver_phi_dot, in s,
         rad or m: "120*sin(2*pi*5*t)".
     friction
-        Coulomb friction, regularised: W = −force·tanh(φ̇/width).
+        Dry friction that sticks, with `sliding`; or Coulomb friction, regularised: W =
+        −force·tanh(φ̇/width).
     harmonic
         Sine over time, or over the displacement of the driver or of the object `over`.
     indicator
@@ -2557,7 +2575,7 @@ class Load(Tree):
         Another object or output: `press`, `press.ram`; the name of the drive for the
         machine angle. `window`, `position_table`, `harmonic` and `indicator` refer to its
         displacement in place of the driver's. `expression` knows its motion as over_phi and
-        over_phi_dot.
+        over_phi_dot. `friction` that sticks acts between both: a clutch, a belt.
     position_table
         Force over the driver's displacement, or that of the object `over`.
     spring
