@@ -10,6 +10,7 @@ export default defineConfig({
   define: { PROGRAM: JSON.stringify(version) },
   resolve: {
     alias: [
+      ...own.resolve.alias,
       { find: /^\.\.?\/connection$/, replacement: new URL("src/offline/connection.tsx", import.meta.url).pathname },
     ],
   },

@@ -1,8 +1,8 @@
 // The answer on the screen: sentence, tables, charts, the machine. It comes as bytes; charts and
 // pictures stay where only their numbers are others.
 
+import { Charts } from "./charts";
 import type { Verdict } from "./expect";
-import { offer } from "./export";
 import { patch } from "./patch";
 import { Sheet } from "./sheet";
 import { remeasure, reshow, type Sentence } from "./units";
@@ -38,7 +38,7 @@ export interface Answer {
 }
 
 // A frame: the length of the head, the head, the columns.
-export function read(frame: ArrayBuffer): { head: Answer; columns: (number | null)[][] } {
+function read(frame: ArrayBuffer): { head: Answer; columns: (number | null)[][] } {
   const length = new DataView(frame).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(frame, 4, length))) as Answer;
   return { head, columns: lazily(head.lengths, new Float64Array(frame, 4 + length)) };
@@ -93,38 +93,30 @@ function retell(parent: Element, html: string): void {
   patch(parent, wanted.content);
 }
 
-// How long nothing is changed before the charts out of sight get their numbers too.
-const REST = 1000;
-
-// Quantities that tell the most of an object, whose charts come first.
-const FIRST = ["N", "δ"];
-
-// Where a chart stands among those of the answer.
-const placeOf = (chart: PlotChart): number => Number(chart.group.dataset.plot);
+// Tables of more characters are made where they are shown.
+const LONG = 100_000;
 
 export class Board {
-  private made: PlotChart[] = [];
+  readonly charts: Charts;
   private playing: Playing | null = null;
   private choices = "";
   private tables = "";
   private compared = "";
-  // The charts as they were last told of.
-  private plots: PlotData[] = [];
-  private readonly seen = new Set<Element>();
-  private readonly watch: IntersectionObserver;
+  // The tables as they stand on the page are those of an answer before.
+  private isBehind = false;
+  private isShown = false;
   private last: [Moving, PlotSource] | null = null;
-  private rest = 0;
-  private all = false;
   private readonly sheet = new Sheet("the machine moving");
-  // The object whose charts are shown; null: those of all.
+  // The object that is looked at; null: none.
   private object: string | null = null;
 
   constructor(
     private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element },
     scroller: Element,
-    private readonly told: (sight: number[]) => void,
+    told: (sight: number[]) => void,
     choose: (id: string) => void,
   ) {
+    this.charts = new Charts(parts.charts, scroller, told);
     for (const part of [parts.tables, parts.compared])
       part.addEventListener("click", ({ target }) => {
         if (!(target as Element).matches(".all-rows")) return;
@@ -141,105 +133,49 @@ export class Board {
       const id = (event.target as Element).closest<SVGElement>("[data-object]")?.dataset.object;
       if (id) choose(id);
     });
-    this.watch = new IntersectionObserver(
-      (entries) => {
-        for (const { target, isIntersecting } of entries) {
-          if (isIntersecting) this.seen.add(target);
-          else this.seen.delete(target);
-          const chart = this.made.find((one) => one.svg === target);
-          if (isIntersecting && chart?.stale) chart.draw();
-        }
-        // The numbers of what has come into sight come then.
-        this.look();
-      },
-      { root: scroller, rootMargin: "120px" },
-    );
+    matchMedia("print").addEventListener("change", () => this.retell());
   }
 
-  private look(): void {
-    this.told(this.made.filter((chart) => this.seen.has(chart.svg)).map(placeOf));
-  }
-
-  // Charts whose numbers did not come, since nobody sees them, are printed: at rest they come.
-  private follow(head: Answer): void {
-    clearTimeout(this.rest);
-    const behind = this.made.filter((chart) => !head.plots[placeOf(chart)]);
-    for (const chart of this.made) chart.svg.parentElement?.classList.toggle("behind", behind.includes(chart));
-    if (behind.length)
-      this.rest = setTimeout(() => {
-        this.all = true;
-        this.told(this.made.map(placeOf));
-      }, REST);
-    else if (this.all) {
-      this.all = false;
-      this.look();
-    }
-  }
-
-  // Shows the charts of one object, or of all, and what belongs to none.
+  // The object that is looked at: its charts, and the machine marks it.
   only(object: string | null): void {
     this.object = object;
-    this.separate();
-  }
-  private separate(): void {
-    const sections = [...this.parts.charts.querySelectorAll<HTMLElement>("section.object")];
-    const isThere = sections.some((one) => one.id === `object-${this.object}`);
-    for (const one of sections)
-      one.hidden = isThere && one.id.startsWith("object-") && one.id !== `object-${this.object}`;
+    this.charts.only(object);
     this.mark();
   }
-  // The object that was chosen, in the picture of the machine.
   private mark(): void {
     for (const one of this.parts.machine.querySelectorAll<SVGElement>("[data-object]"))
       one.classList.toggle("chosen", one.dataset.object === this.object);
   }
 
-  show(frame: ArrayBuffer): Answer {
+  // Shows an answer. Which object is looked at may depend on those that have charts.
+  show(frame: ArrayBuffer, choose: (head: Answer, charted: string[]) => string | null): Answer {
     const { head, columns } = read(frame);
-    if (head.charts !== undefined) this.plots = [];
-    head.plots.forEach((plot, place) => {
-      if (plot) this.plots[place] = plot;
-    });
-    const source = { columns, plots: this.plots };
-    if (head.charts !== undefined) {
-      live.drop(this.made);
-      this.watch.disconnect();
-      this.seen.clear();
-      this.parts.charts.innerHTML = head.charts;
-      this.separate();
-      this.made = live.make(this.parts.charts, source);
-      for (const { svg, data } of this.made)
-        if (svg.closest("[id^=object-]"))
-          svg.parentElement!.style.order = String(
-            -1 - FIRST.findIndex((symbol) => data.title.split(" ").includes(symbol)),
-          );
-      offer(this.made);
-      for (const chart of this.made) {
-        this.seen.add(chart.svg);
-        this.watch.observe(chart.svg);
-      }
-    } else {
-      const fresh = this.made.filter((chart) => head.plots[placeOf(chart)]);
-      for (const chart of this.made) chart.stale = true;
-      live.update(fresh, source, (chart) => this.seen.has(chart.svg));
-    }
-    this.follow(head);
-    this.move(head, source);
-    if (head.tables !== this.tables) {
-      this.tables = head.tables;
-      retell(this.parts.tables, head.tables);
-    }
-    if (head.compared !== this.compared) {
-      this.compared = head.compared;
-      retell(this.parts.compared, head.compared);
-    }
+    this.object = this.charts.show(head, columns, (charted) => choose(head, charted));
+    this.move(head, this.charts.source(columns));
+    this.isBehind ||= head.tables !== this.tables || head.compared !== this.compared;
+    this.tables = head.tables;
+    this.compared = head.compared;
+    this.retell();
     return head;
   }
 
-  // Other units.
-  again(): void {
+  // Whether the results are shown.
+  results(isShown: boolean): void {
+    this.isShown = isShown;
+    this.retell();
+  }
+  private retell(): void {
+    const isLong = this.tables.length + this.compared.length > LONG;
+    if (!this.isBehind || (isLong && !this.isShown && !matchMedia("print").matches)) return;
+    this.isBehind = false;
     retell(this.parts.tables, this.tables);
     retell(this.parts.compared, this.compared);
+  }
+
+  // Other units, or more rows.
+  again(): void {
+    this.isBehind = true;
+    this.retell();
     live.draw();
     remeasure(this.parts.machine);
     if (this.last) this.playing?.update(...this.last);
@@ -278,11 +214,9 @@ export class Board {
 
   // Nothing of a document before stays.
   clear(): void {
-    live.drop(this.made);
+    this.charts.clear();
     this.playing?.stop();
     this.playing = null;
-    this.made = [];
-    this.plots = [];
     this.tables = this.compared = "";
     this.object = null;
     this.sheet.fit();

@@ -13,11 +13,13 @@ import { editor, fields, spans } from "./store/text";
 import { RESULTS, tab } from "./store/views";
 
 function ChartsOf() {
-  const all = charted.value;
+  const shown = shownCharts.value ?? ALL,
+    own = charted.value,
+    all = shown === ALL || own.includes(shown) ? own : [...own, shown];
   return (
     <Choice
       label="Charts of"
-      value={shownCharts.value ?? ALL}
+      value={shown}
       all={all.length > 1 ? [...all, ALL] : all}
       none="all objects"
       set={(id) => {

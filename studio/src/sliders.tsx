@@ -4,6 +4,7 @@
 import type { VNode } from "preact";
 import { useEffect, useReducer, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
+import { InSight } from "./in-sight";
 import { Kept, type Link } from "./link";
 import { choice, fieldIn } from "./units";
 import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
@@ -12,6 +13,9 @@ import "./sliders.css";
 const STEPS = 1000;
 // Of more objects than these the numbers are shown one object at a time.
 const MANY = 40;
+// Objects that are built at once then, where they are in sight, and how high one is (pixels).
+const PART = 20,
+  HEAD = 27;
 // Characters of all stars.
 const MOST_KEPT = 1900;
 // Rows that a search shows.
@@ -111,6 +115,19 @@ export function Sliders({ editor, link, scene, fields, spans }: Props) {
       all.push(field);
       groups.set(id, all);
     }
+  const opened = useRef(new Map<string, boolean>()),
+    isMany = groups.size > MANY;
+  const group = ([id, all]: [string, Field[]]) => (
+    <Group
+      key={id}
+      id={id}
+      count={all.length}
+      open={id !== "run" && all.length <= 60 && !isMany}
+      opened={opened.current}
+    >
+      {() => all.map((field) => slider(field))}
+    </Group>
+  );
   const meant = search.trim() ? fields.filter((field) => isMeant(field, search.trim())) : null;
   return (
     <div class="sliders" role="group" aria-label="numbers of the scene">
@@ -150,11 +167,13 @@ export function Sliders({ editor, link, scene, fields, spans }: Props) {
               {() => first.map((field) => slider(field, false))}
             </Group>
           )}
-          {[...groups].map(([id, all]) => (
-            <Group key={id} id={id} count={all.length} open={id !== "run" && all.length <= 60 && groups.size <= MANY}>
-              {() => all.map((field) => slider(field))}
-            </Group>
-          ))}
+          {isMany
+            ? parted([...groups], PART).map((part) => (
+                <InSight key={part[0]![0]} scroller=".side" height={HEAD * part.length}>
+                  {() => part.map(group)}
+                </InSight>
+              ))
+            : [...groups].map(group)}
         </>
       )}
       {fields.length === 0 && <p class="soft">No numbers can be read from the text yet.</p>}
@@ -162,11 +181,30 @@ export function Sliders({ editor, link, scene, fields, spans }: Props) {
   );
 }
 
+function parted<T>(all: T[], size: number): T[][] {
+  return Array.from({ length: Math.ceil(all.length / size) }, (_, k) => all.slice(k * size, (k + 1) * size));
+}
+
+interface GroupProps {
+  id: string;
+  count: number;
+  open: boolean;
+  // Those that were opened or closed, also while they are out of sight.
+  opened?: Map<string, boolean>;
+  children: () => VNode[];
+}
+
 // The numbers of an object, made where they are looked at.
-function Group({ id, count, open, children }: { id: string; count: number; open: boolean; children: () => VNode[] }) {
-  const [isOpen, setOpen] = useState(open);
+function Group({ id, count, open, opened, children }: GroupProps) {
+  const [isOpen, setOpen] = useState(opened?.get(id) ?? open);
   return (
-    <details open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
+    <details
+      open={isOpen}
+      onToggle={({ currentTarget }) => {
+        opened?.set(id, currentTarget.open);
+        setOpen(currentTarget.open);
+      }}
+    >
       <summary>
         {id} <span class="soft">{count}</span>
       </summary>

@@ -34,17 +34,32 @@ test("a machine of 1000 objects is built where it is in sight", async ({ page })
       stiffness: 1e7,
     };
   await started(page, objects);
-  await expect(page.locator(".figures")).toContainText("of 1001 objects");
   expect(await count(page, ".object-box")).toBeLessThan(120);
-  expect(await count(page, ".charts *")).toBeLessThan(12_000);
   expect(await count(page, ".slider")).toBe(0);
-  expect(await count(page, ".figures tbody tr")).toBe(101);
+  // The charts of one object, and of others as they are looked at.
+  const charts = page.locator(".charts section.object");
+  await expect(charts).toHaveCount(1);
+  expect(await count(page, ".charts *")).toBeLessThan(400);
+  await page.locator(".seen-beside select").first().selectOption("lever_1");
+  await expect(page.locator("#object-lever_1 .curve").first()).toHaveAttribute("d", /^M.*L/);
+  await expect(charts).toHaveCount(1);
+  expect(await count(page, ".figures tr")).toBe(0);
+  // On paper there are all of them.
+  await page.emulateMedia({ media: "print" });
+  await expect(charts).toHaveCount(40);
+  await page.emulateMedia({ media: null });
+  await expect(charts).toHaveCount(1);
   await page.getByRole("tab", { name: "Results" }).click();
+  await expect(page.locator(".figures")).toContainText("of 1001 objects");
+  expect(await count(page, ".figures tbody tr")).toBe(101);
   await page.getByRole("button", { name: "Show all 1001 rows" }).click();
   expect(await count(page, ".figures tbody tr")).toBe(1001);
   expect(await count(page, ".connection")).toBeLessThan(120);
-  await page.getByRole("tab", { name: "Workbench" }).click();
-  expect(await count(page, ".seen-beside option")).toBeLessThan(10);
+  // One that has no charts is no reason to show those of others.
+  await page.locator('.figures a[href="#object-lever_900"]').click();
+  await expect(page.locator(".charts")).toHaveText(/No charts of lever_900 are drawn here/);
+  await expect(charts).toHaveCount(0);
+  expect(await count(page, ".seen-beside option:not(:checked)")).toBeLessThan(60);
   // What is moved into sight is built, and can be used.
   const canvas = await page.locator(".objects-graph").boundingBox(),
     seen = () => page.locator(".object-box").evaluateAll((all) => all.map((one) => one.dataset.id));
@@ -63,8 +78,16 @@ test("a machine of 1000 objects is built where it is in sight", async ({ page })
   await expect(page.locator(".object-box.chosen")).toHaveCount(1);
   // Its numbers are shown once they are asked for, and follow.
   await page.getByRole("tab", { name: "Numbers" }).click();
+  expect(await count(page, ".sliders summary")).toBeLessThan(120);
   await page.locator(".sliders summary", { hasText: /^lever_7 / }).click();
   await expect(page.locator(".slider")).not.toHaveCount(0);
+  // What is out of sight is built anew, and is as it was.
+  const scroll = (to) => page.locator(".side").evaluate((one, to) => (one.scrollTop = to), to);
+  await page.evaluate(() => document.activeElement.blur());
+  await scroll(20_000);
+  await expect(page.locator(".slider")).toHaveCount(0);
+  expect(await count(page, ".sliders summary")).toBeGreaterThan(10);
+  await scroll(0);
   const inertia = page.locator('.slider[data-address="lever_7.inertia"] input[type=text]');
   await inertia.fill("0.2");
   await inertia.press("Enter");
@@ -95,9 +118,8 @@ test("a chain of 3000 objects is drawn", async ({ page }) => {
   expect(await count(page, ".connection")).toBeGreaterThan(3);
 });
 
-// Aims, on a machine of its own: 2 s each for opening and an edit, 6000 nodes, no task above 200 ms.
-// The first three are not reached yet (a debug build on a loaded machine: 31 s, 20 s, 15 900 nodes): the
-// bounds hold what is there, and what was measured is printed.
+// Aims, on a machine of its own: 2 s each for opening and an edit, no task above 200 ms. With a debug build
+// on a loaded machine the times are longer: the bounds hold what is there, and what was measured is printed.
 test("1000 objects answer after opening and after an edit, and the view moves smoothly", async ({ page }) => {
   test.setTimeout(180_000);
   await page.addInitScript(() => {
@@ -121,30 +143,30 @@ test("1000 objects answer after opening and after an edit, and the view moves sm
   const opening = await page.evaluate(() => globalThis.answered),
     nodes = () => page.locator("*").count(),
     built = await nodes();
-  // One number, until the figures are other ones.
+  const chartOf = async (id) => {
+    await page.locator(".seen-beside select").first().selectOption(id);
+    // The places at its axes.
+    return page.locator(`#object-${id}`).textContent();
+  };
+  // One number, until its answer is shown.
   await page.getByRole("tab", { name: "Numbers" }).click();
   await page.locator(".sliders summary", { hasText: /^lever_0 / }).click();
   const inertia = page.locator('.slider[data-address="lever_0.inertia"] input[type=text]');
   await inertia.fill("0.3");
   await page.evaluate(() => {
-    const figures = document.querySelector(".figures"),
-      before = figures.textContent;
-    addEventListener(
-      "keydown",
-      () => {
-        const from = performance.now();
-        const look = () => {
-          if (figures.textContent !== before) globalThis.edited = performance.now() - from;
-          else requestAnimationFrame(look);
-        };
-        look();
-      },
-      { capture: true, once: true },
-    );
+    const version = Math.max(...performance.getEntriesByName("answer").map((mark) => mark.detail));
+    let from = 0;
+    addEventListener("keydown", () => (from = performance.now()), { capture: true, once: true });
+    new PerformanceObserver((list) => {
+      if (list.getEntriesByName("answer").some((mark) => mark.detail > version))
+        requestAnimationFrame(() => (globalThis.edited ??= performance.now() - from));
+    }).observe({ type: "mark" });
   });
+  const before = await chartOf("lever_0");
   await inertia.press("Enter");
   await page.waitForFunction(() => globalThis.edited !== undefined, null, { timeout: 60_000 });
   const edit = await page.evaluate(() => globalThis.edited);
+  await expect.poll(async () => (await chartOf("lever_0")) === before).toBe(false);
   // The view is moved, made smaller and larger.
   const canvas = await page.locator(".objects-graph").boundingBox(),
     from = await page.evaluate(() => performance.now());
@@ -154,7 +176,7 @@ test("1000 objects answer after opening and after an edit, and the view moves sm
   await page.mouse.up();
   await page.mouse.move(canvas.x + canvas.width / 2, canvas.y + canvas.height / 2);
   for (const by of [-100, -100, 100, 100, 100]) await page.mouse.wheel(0, by);
-  await page.locator(".sliders").evaluate(async (one) => {
+  await page.locator(".side").evaluate(async (one) => {
     for (let k = 0; k < 30; k++) {
       one.scrollTop += 200;
       await new Promise(requestAnimationFrame);
@@ -170,6 +192,6 @@ test("1000 objects answer after opening and after an edit, and the view moves sm
   );
   expect(opening).toBeLessThan(60_000);
   expect(edit).toBeLessThan(60_000);
-  expect(longest).toBeLessThan(800);
-  expect(Math.max(built, moved)).toBeLessThan(17_000);
+  expect(longest).toBeLessThan(500);
+  expect(Math.max(built, moved)).toBeLessThan(3000);
 });

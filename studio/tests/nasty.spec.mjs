@@ -257,6 +257,29 @@ test("edits made while the server is killed and started again arrive, in order",
   await expect.poll(() => server.text()).toBe(text);
 });
 
+test("what a server owed when it was killed is asked for again", async ({ page }) => {
+  let owed = 0;
+  await page.route(/api.(parts|scenes)/, (route) => (owed-- > 0 ? route.abort("connectionreset") : route.continue()));
+  await server.start();
+  await page.goto(server.address);
+  await page.waitForSelector(".verdict");
+  // Without the list of scenes this one is opened all the same; that of what can be added is waited for.
+  owed = 2;
+  await page.reload();
+  await page.waitForSelector(".verdict");
+  const add = page.getByRole("button", { name: "Add object" }),
+    kinds = page.locator(".palette .parts button");
+  await add.click();
+  await expect(page.locator(".palette")).toBeVisible();
+  expect(await kinds.count()).toBe(0);
+  const port = new URL(server.address).port;
+  await server.kill();
+  await expect(page.locator(".lost")).toBeVisible();
+  await server.start({ port });
+  await expect(page.locator(".lost")).toHaveCount(0, { timeout: 30_000 });
+  await expect.poll(() => kinds.count()).toBeGreaterThan(5);
+});
+
 test("two windows that type at one place keep the letters of both", async ({ page, context }) => {
   await server.start();
   await opened(page, server.address);

@@ -18,7 +18,9 @@ export function watched(page) {
       void page.route(`**/${name}`, (route) => route.fulfill({ path: join(root, "studio/dist", name) }));
   page.on("pageerror", (error) => wrong.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text())) wrong.push(message.text());
+    // What the browser says of a server that went away, also while it owed an answer.
+    const isGone = /WebSocket|ERR_CONNECTION|ERR_EMPTY_RESPONSE/.test(message.text());
+    if (message.type() === "error" && !isGone) wrong.push(message.text());
   });
   return wrong;
 }

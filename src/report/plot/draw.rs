@@ -4,11 +4,20 @@ use super::frame::{BAND, Frame, STRIP, is_beyond, stroke};
 use super::{LineStyle, Plot, Series, Shape, coordinate, document, marks, palette, phases};
 use std::fmt::Write as _;
 
+/// What is drawn of the curves of a chart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Curves {
+    /// All of them.
+    Drawn,
+    /// Nothing: the script has their numbers, and draws them as soon as it runs.
+    Left,
+}
+
 impl Plot {
     /// The picture, `width` × `height` pixels, as a complete SVG document.
     pub fn svg(&self, width: f64, height: f64) -> String {
         let (width, height) = (width.max(160.0), height.max(140.0));
-        let body = self.whole_chart(width, height, 0);
+        let body = self.whole_chart(width, height, 0, Curves::Drawn);
         document(
             "dam-plot",
             [width, height],
@@ -19,13 +28,19 @@ impl Plot {
     }
 
     /// The chart with title and legend, number `index` of its document.
-    pub(super) fn whole_chart(&self, width: f64, height: f64, index: usize) -> String {
+    pub(super) fn whole_chart(
+        &self,
+        width: f64,
+        height: f64,
+        index: usize,
+        curves: Curves,
+    ) -> String {
         let (frame, legend) = self.layout(width, height);
         format!(
             "<g class=\"plot\" data-plot=\"{index}\" data-frame=\"{}\">\n{}<g class=\"legend\">{legend}</g>\n{}</g>\n",
             frame.pixel_box(),
             self.heading(&frame),
-            self.draw_inside_frame(&frame, index)
+            self.draw_inside_frame(&frame, index, curves)
         )
     }
 
@@ -34,11 +49,11 @@ impl Plot {
         format!(
             "<g class=\"plot\" data-plot=\"{index}\" data-frame=\"{}\">\n{head}{}</g>\n",
             frame.pixel_box(),
-            self.draw_inside_frame(frame, index)
+            self.draw_inside_frame(frame, index, Curves::Drawn)
         )
     }
 
-    fn draw_inside_frame(&self, frame: &Frame, index: usize) -> String {
+    fn draw_inside_frame(&self, frame: &Frame, index: usize, drawn: Curves) -> String {
         let [x, y, w, h] = [frame.left, frame.top, frame.width, frame.height].map(coordinate);
         let strip = if self.has_strip() { STRIP } else { 0.0 };
         let (field, labels) = match &self.field {
@@ -46,7 +61,7 @@ impl Plot {
             None => Default::default(),
         };
         let curves: String = (self.series.iter().enumerate())
-            .map(|(index, series)| curve(series, frame, index))
+            .map(|(index, series)| curve(series, frame, index, drawn))
             .collect();
         let marks: String = (self.series.iter().enumerate())
             .map(|(index, series)| self.marks(series, frame, index))
@@ -204,12 +219,12 @@ fn shaded(frame: &Frame, spans: &[[f64; 2]], [top, height]: [f64; 2]) -> String 
     path
 }
 
-fn curve(series: &Series, frame: &Frame, index: usize) -> String {
+fn curve(series: &Series, frame: &Frame, index: usize, drawn: Curves) -> String {
     let style = palette::style(series.style.unwrap_or(index));
     let look = stroke(series, series.look, style);
-    let path = match series.look {
-        LineStyle::Points => String::new(),
-        _ => path(series, frame),
+    let path = match (series.look, drawn) {
+        (LineStyle::Points, _) | (_, Curves::Left) => String::new(),
+        (_, Curves::Drawn) => path(series, frame),
     };
     format!("<path {look} data-series=\"{index}\" d=\"{path}\"/>\n")
 }

@@ -1,5 +1,6 @@
 //! The charts of a page and their data, as compact JSON for `plot.js`.
 
+use super::draw::Curves;
 use super::frame::{Frame, plane};
 use super::{Axis, LineStyle, Plot, Shape, coordinate};
 use crate::report::display_units::DisplayUnits;
@@ -23,7 +24,8 @@ pub struct Plots {
     plots: Vec<Value>,
     /// Number of the first chart: where several sets of charts stand on one page.
     first: usize,
-    /// True: numbers keep all their digits, and charts tell where their frames stand.
+    /// True: numbers keep all their digits, charts tell where their frames stand, and their curves
+    /// are drawn by the script alone.
     live: bool,
 }
 
@@ -102,7 +104,11 @@ impl Plots {
     pub fn figure(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) -> String {
         let index = self.first + self.plots.len();
         let (frame, _) = plot.layout(width, height);
-        let body = plot.whole_chart(width, height, index);
+        let curves = match self.live {
+            true => Curves::Left,
+            false => Curves::Drawn,
+        };
+        let body = plot.whole_chart(width, height, index, curves);
         self.add(plot, &frame, link);
         let (w, h) = (coordinate(width), coordinate(height));
         format!(

@@ -41,6 +41,27 @@ fn path(picture: &str, series: usize) -> String {
     picture[from..from + picture[from..].find('"').unwrap()].to_owned()
 }
 
+/// Where numbers are exchanged again and again, the script alone draws curves.
+#[cfg(feature = "live")]
+#[test]
+fn curves_of_a_live_chart_are_numbers_alone() {
+    let chart = Plot {
+        series: vec![line("a", 20_000, f64::sin)],
+        ..Plot::default()
+    };
+    let [mut page, mut live] = [Plots::default(), Plots::live(0)];
+    let [drawn, left] =
+        [&mut page, &mut live].map(|plots| plots.figure(&chart, [640.0, 320.0], ""));
+    assert!(path(&drawn, 0).starts_with('M') && path(&drawn, 0).len() > 1000);
+    assert_eq!(path(&left, 0), "");
+    assert_eq!(drawn.replace(&path(&drawn, 0), ""), left);
+    let (columns, charts) = live.columns_and_charts();
+    assert_eq!(
+        (columns.len(), columns[1].len(), charts.len()),
+        (2, 20_000, 1)
+    );
+}
+
 #[test]
 fn a_single_peak_among_many_samples_is_kept() {
     let mut one = line("a < b", 20_000, |_| 0.0);

@@ -15,8 +15,12 @@ interface Place {
 // A graph of more objects is built where it is in sight.
 export const MANY = 60;
 
+// Room for the names of several outputs, which stand behind their box.
+const NAMES = 48;
+const endOf = ({ x, object }: Box): number => x + BOX.width + (object.outputs.length > 1 ? NAMES : 0);
+
 function fitted(drawn: Box[], room: { width: number; height: number }): View {
-  const right = drawn.reduce((most, box) => Math.max(most, box.x + BOX.width), BOX.width),
+  const right = drawn.reduce((most, box) => Math.max(most, endOf(box)), BOX.width),
     bottom = drawn.reduce((most, box) => Math.max(most, box.y + box.height), BOX.head);
   const k = Math.max(0.3, Math.min(1.25, (room.width - 48) / right, (room.height - 40) / bottom));
   return { k, x: (room.width - k * right) / 2, y: (room.height - k * bottom) / 2 };

@@ -19,7 +19,8 @@ export const faults = signal<Found[]>([]);
 export const errorCount = computed(() => faults.value.filter((fault) => fault.severity === "error").length);
 export const objects = signal<Outline[]>([]);
 // Kinds and objects of the catalogue that a scene can be built of.
-export const parts = signal<Parts>({ kinds: [], objects: [] });
+export const NO_PARTS: Parts = { kinds: [], objects: [] };
+export const parts = signal(NO_PARTS);
 export const guide = signal<Guide | null>(null);
 // The version of the text that was checked last, and whether it has errors.
 export const newest = signal(0),

@@ -9,7 +9,7 @@ import type { Parts } from "../kinds";
 import { offered as unitsOffered } from "../units";
 import { draft, folder, scene, scenes, status } from "./file";
 import type { Hearing } from "../asking";
-import { check, faults, guide, isFaulty, newest, objects, parts } from "./findings";
+import { check, faults, guide, isFaulty, newest, NO_PARTS, objects, parts } from "./findings";
 import { offered as layoutOffered } from "./layout";
 import { isConnected, link, program, self } from "./line";
 import { clear, tell } from "./notices";
@@ -31,14 +31,21 @@ function welcome(message: Heard["welcome"]): void {
   seen.offer(message.settings);
   layoutOffered(message.settings);
   if (unitsOffered(message.settings)) unitsChanged();
-  void link.get<{ scenes: string[] }>("/api/scenes").then(({ scenes: found }) => {
-    scenes.value = found;
+  const open = () => {
     isAgain = scene.peek() !== "";
     const wanted = scene.peek() || (shownScene.get() ?? message.scene),
       { since } = editor.peek()!;
     if (wanted) link.send({ type: "open", scene: wanted, ...(isAgain && since ? { since } : {}) });
     else isHome.value = true;
-  });
+  };
+  const listed = link.get<{ scenes: string[] }>("/api/scenes").then(
+    (found) => {
+      scenes.value = found.scenes;
+    },
+    // Those that are known stay.
+    () => {},
+  );
+  void listed.then(open);
 }
 
 // Everything is shown in other units.
@@ -50,7 +57,20 @@ export function unitsChanged(): void {
 function resumed(message: Heard["resumed"]): void {
   isAgain = false;
   editor.peek()!.resume(message);
+  askParts();
   openings.value = openings.peek() + 1;
+}
+
+// What objects can be made of, unless it is known: a server that went away may have owed it.
+function askParts(): void {
+  const name = scene.peek();
+  if (parts.peek() !== NO_PARTS) return;
+  void link.get<Parts>(`/api/parts?scene=${encodeURIComponent(name)}`).then(
+    (found) => {
+      if (name === scene.peek()) parts.value = found;
+    },
+    () => {},
+  );
 }
 
 // Nothing of the scene before stays.
@@ -58,12 +78,7 @@ function begin(name: string): void {
   objects.value = [];
   selection.value = [];
   faults.value = [];
-  void link.get<Parts>(`/api/parts?scene=${encodeURIComponent(name)}`).then(
-    (found) => {
-      parts.value = found;
-    },
-    () => {},
-  );
+  parts.value = NO_PARTS;
   if (!scenes.peek().includes(name)) scenes.value = [...scenes.peek(), name].sort();
   spans.clear();
   forget();
@@ -86,6 +101,7 @@ function opened(message: Heard["opened"]): void {
     left = isAgain && !isOther ? own.left(status.peek().saved) : null;
   if (isOther) begin(message.scene);
   scene.value = message.scene;
+  askParts();
   if (!isAgain) enterScene();
   isAgain = false;
   tell("");

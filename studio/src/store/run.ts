@@ -4,7 +4,7 @@ import { batch, computed, effect, signal } from "@preact/signals";
 import type { Answer, Board } from "../answer";
 import { isFaulty, errorCount } from "./findings";
 import { clear } from "./notices";
-import { steady } from "./steady";
+import { renew, steady } from "./steady";
 
 // Charts of all objects are shown.
 export const ALL = "";
@@ -49,31 +49,34 @@ function addressesOf(objects: Figures): string[] {
 }
 
 // Objects that have charts.
-export const charted = steady(() => Object.keys(found.value));
+export const charted = signal<string[]>([]);
 // The object whose charts were chosen, or `ALL`; null: none was.
 export const chosenCharts = signal<string | null>(null);
 // The object whose charts are shown, or `ALL`.
-export const shownCharts = computed<string | null>(() => {
-  const own = chosenCharts.value;
-  return own !== null && (own === ALL || charted.value.includes(own)) ? own : mostLoaded(found.value);
-});
+export const shownCharts = computed<string | null>(() => lookedAt(chosenCharts.value, found.value, charted.value));
+
+function lookedAt(chosen: string | null, objects: Figures, charted: string[]): string | null {
+  return chosen !== null && (chosen === ALL || chosen in objects) ? chosen : mostLoaded(objects, charted);
+}
 
 // The object whose charts are looked at first: the one that is separated longest, else the last elastic one.
-export function mostLoaded(objects: Figures): string | null {
-  const apart = (id: string): number => objects[id]?.pair?.separated_time ?? 0,
-    ids = Object.keys(objects);
-  const longest = ids.reduce<string | null>(
+export function mostLoaded(objects: Figures, charted: string[]): string | null {
+  const apart = (id: string): number => objects[id]?.pair?.separated_time ?? 0;
+  const longest = charted.reduce<string | null>(
     (best, id) => (apart(id) > (best === null ? 0 : apart(best)) ? id : best),
     null,
   );
-  return longest ?? ids.filter((id) => (objects[id]?.delta_abs ?? 0) > 0).at(-1) ?? ids.at(-1) ?? null;
+  return longest ?? charted.filter((id) => (objects[id]?.delta_abs ?? 0) > 0).at(-1) ?? charted.at(-1) ?? null;
 }
+
+// The object that the page looks at; null: all are.
+const objectOf = (shown: string | null): string | null => (shown === ALL ? null : shown);
 
 effect(() => {
   const object = shownCharts.value;
   // Another scene begins with all of them.
   void openings.value;
-  board.value?.only(object === ALL ? null : object);
+  board.value?.only(objectOf(object));
 });
 
 // What of an answer is told in words.
@@ -82,11 +85,13 @@ const wordsOf = (one: Answer): string =>
 
 // Shows an answer of the server.
 export function show(frame: ArrayBuffer): void {
-  const head = board.peek()!.show(frame);
+  const own = board.peek()!,
+    head = own.show(frame, ({ figures }, charted) => objectOf(lookedAt(chosenCharts.peek(), figures, charted)));
   performance.mark("answer", { detail: head.version });
   const before = latest.peek();
   batch(() => {
     latest.value = head;
+    renew(charted, own.charts.objects);
     // It stays while numbers move, whichever is loaded most by then.
     if (chosenCharts.peek() === null) chosenCharts.value = shownCharts.value;
     clear("run");
@@ -101,6 +106,7 @@ export function forget(): void {
     board.peek()?.clear();
     chosenCharts.value = null;
     latest.value = null;
+    charted.value = [];
     answer.value = null;
   });
 }

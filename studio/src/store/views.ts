@@ -1,12 +1,12 @@
 // What is looked at: first page or workbench, which views and tabs, which objects.
 
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import { Kept, shownScene } from "../link";
 import type { Show } from "../tour";
 import { scene } from "./file";
 import { type Found, objects } from "./findings";
 import { tell } from "./notices";
-import { chosenCharts } from "./run";
+import { board, chosenCharts } from "./run";
 import { edit, editor, redraw } from "./text";
 
 export const VIEWS = [
@@ -30,6 +30,7 @@ export const view = signal<View>("objects");
 export const side = signal<"numbers" | "properties">("numbers");
 // A question, the workbench or the results.
 export const tab = signal<string>(BENCH);
+effect(() => board.value?.results(tab.value === RESULTS));
 // Objects that are selected in the graph.
 export const selection = signal<string[]>([]);
 
