@@ -228,9 +228,8 @@ fn dimension(
         let zone = tolerance.zone(*value, size)?;
         // (Halfway to a limit nothing is whole by chance.)
         let between = si_setting(path, value + 0.4321 * (zone.upper - zone.lower));
-        let whole = |one: &Diagnostic| one.message.contains("whole number");
         let refused = source.decode(&[between]).err();
-        if refused.is_some_and(|faults| faults.items.iter().any(whole)) {
+        if refused.is_some_and(|faults| faults.items.iter().any(Diagnostic::is_of_a_count)) {
             return Err(format!("`{path}` counts, and has no tolerance"));
         }
         let number = written.iter().find(|one| one.address == *path);
@@ -290,10 +289,17 @@ fn unit_size(
     };
     let reading = source.decode(&[parameter.setting(value / one.value)]);
     let reading = reading.map_err(|faults| {
-        let first = faults.items.first().map_or("", |fault| &fault.message);
+        let first = faults.items.first();
+        // (The text of the setting is not that of the question.)
+        let what = first.map_or("", |fault| match fault.code {
+            "wrong-unit" => fault.hints.first().unwrap_or(&fault.message),
+            _ => &fault.message,
+        });
         match tolerance.limits {
-            WrittenLimits::Class(_) => format!("classes are those of lengths: {first}"),
-            _ => format!("the unit does not fit: {first}"),
+            WrittenLimits::Class(_) => {
+                format!("classes are those of lengths, which `{path}` is not: {what}")
+            }
+            _ => format!("`{unit}` does not fit `{path}`: {what}"),
         }
     })?;
     // (A number may take its unit in a sense of its own: 1/min as turns.)

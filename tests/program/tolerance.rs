@@ -165,6 +165,10 @@ fn an_offset_about_zero_is_told_not_to_be_linear() {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("is not linear in the"), "{text}");
     assert!(text.contains("it is 0.02251 mm"), "{text}");
+    assert!(
+        text.contains("in the worst case of runs. First order does not hold"),
+        "{text}"
+    );
     let found = document(&[
         &path,
         "--tol",
@@ -375,7 +379,7 @@ fn what_is_wrong_is_refused_all_at_once() {
     for (tolerance, words) in [
         (
             "slide.position.slider_crank.crank=±1 kg",
-            "unit does not fit",
+            "`kg` does not fit `slide.position.slider_crank.crank`: it is length",
         ),
         ("slide.inertia=h7", "lengths"),
         ("slide.masses=±1", "counts"),
@@ -417,4 +421,17 @@ fn levels_that_the_scene_leaves_open_are_chosen_first() {
     ]);
     let own = &found["figures"]["rocker.delta_max"];
     assert!(own["first_order"]["sigma"].as_f64().unwrap() > 0.0, "{own}");
+}
+
+/// At a nominal value of zero too a message shows the question, and no probe of it.
+#[test]
+fn a_wrong_unit_is_that_of_the_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = scene(folder.path(), &slider_crank("0 mm"));
+    let tolerance = "slide.position.slider_crank.offset=±0.1 rad";
+    let text = errors(&[&path, "--tol", tolerance, "--figure", STROKE]);
+    assert!(
+        text.contains("does not fit") && !text.contains("0 rad"),
+        "{text}"
+    );
 }
