@@ -223,7 +223,7 @@ def text() -> str:
     for name, definition in schema["$defs"].items():
         if "properties" in definition:
             classes.named(definition, "", name)
-    for name in ("run", "steady", "optimize"):
+    for name in ("run", "steady", "optimize", "tolerance", "identify"):
         classes.named(schema["properties"][name], "scene", name)
     texts = {title: classes.text(title) for title in sorted(classes.variants)}
     kinds = ", ".join(classes.kinds)

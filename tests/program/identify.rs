@@ -475,3 +475,63 @@ fn a_number_at_an_end_makes_the_others_conditional() {
         assert!((ratio - 1.0).abs() < 1e-4, "{key}: {capacity} {alone}");
     }
 }
+
+/// The scene holds the question, and its record lies beside it; options go before the block.
+#[test]
+fn a_scene_holds_its_own_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = write(folder.path(), "plain.json", SCENE);
+    let file = write(folder.path(), "test.csv", &record());
+    let block = |record: &str| {
+        let block = format!(
+            r#""identify": {{
+        "record": ["{record}"], "match": ["x=wheel.delta"], "sigma": ["x=0.7 µrad"], "starts": 2,
+        "vary": ["wheel.stiffness=2:30 MN m/rad", "wheel.damping_capacity=0:1"]
+    }},
+    "run""#
+        );
+        SCENE.replace("\"run\"", &block)
+    };
+    let scene = write(
+        folder.path(),
+        "scene.json",
+        &block("test.csv; run.tolerance=1e-9"),
+    );
+    let own = document(&[&scene], 0);
+    let given = format!("{file}; run.tolerance=1e-9");
+    let options = ["--record", &given, "--starts", "2", "--sigma", "x=0.7 µrad"];
+    let named = document(&[&[plain.as_str()], &options[..], &SOUGHT[..]].concat(), 0);
+    for key in ["estimates", "starts", "chi_squared", "settings"] {
+        assert_eq!(own[key], named[key], "{key}");
+    }
+    assert_eq!(own["signals"][0]["record"], "test.csv");
+    // Other signals have no standard deviations of the block.
+    let less = document(&[&scene, "--starts", "3", "--match", "x=wheel.delta"], 0);
+    assert_eq!(less["starts"].as_array().unwrap().len(), 3);
+    assert!(less["chi_squared"].is_null());
+    let absent = write(folder.path(), "absent.json", &block("tset.csv"));
+    let text = errors(&[&absent]);
+    assert!(text.contains("names the record `tset.csv`"), "{text}");
+    assert!(text.contains("test.csv"), "{text}");
+    let wrong = write(
+        folder.path(),
+        "wrong.json",
+        &block("test.csv").replace("\"vary\"", "\"vry\""),
+    );
+    let text = errors(&[&wrong]);
+    assert!(
+        text.contains("vry") && text.contains("wrong.json"),
+        "{text}"
+    );
+    // Without a block all that is missing is said at once.
+    let text = errors(&[&plain]);
+    for part in ["no record is named", "no column is matched", "--vary"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    // Other commands pass the block over.
+    let shown = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["show", &scene])
+        .output()
+        .unwrap();
+    assert!(shown.status.success());
+}

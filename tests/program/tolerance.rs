@@ -435,3 +435,45 @@ fn a_wrong_unit_is_that_of_the_question() {
         "{text}"
     );
 }
+
+/// The scene holds the question; options go before its block.
+#[test]
+fn a_scene_holds_its_own_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let block = format!(
+        r#""tolerance": {{ "tol": ["{CRANK}", "{ROD}"], "figures": ["{STROKE}"], "limit": ["{STROKE} <= 102 mm"], "samples": 64, "seed": 3 }},
+    "run""#
+    );
+    let text = slider_crank("20 mm").replace("\"run\"", &block);
+    let path = scene(folder.path(), &text);
+    let own = document(&[&path]);
+    let plain = tempfile::tempdir().unwrap();
+    let plain = scene(plain.path(), &slider_crank("20 mm"));
+    let limit = format!("{STROKE} <= 102 mm");
+    let named = document(&[
+        &plain,
+        "--tol",
+        CRANK,
+        "--tol",
+        ROD,
+        "--figures",
+        STROKE,
+        "--limit",
+        &limit,
+        "--samples",
+        "64",
+        "--seed",
+        "3",
+    ]);
+    assert_eq!(own, named);
+    let less = document(&[&path, "--samples", "0", "--tol", CRANK]);
+    assert_eq!(less["figures"][STROKE]["by"].as_object().unwrap().len(), 1);
+    assert_ne!(less["yield"], own["yield"]);
+    assert!(errors(&[&plain]).contains("no tolerance is named"));
+    let wrong = text.replace("\"seed\": 3", "\"seeds\": 3");
+    let text = errors(&[&scene(folder.path(), &wrong)]);
+    assert!(
+        text.contains("seeds") && text.contains("scene.json"),
+        "{text}"
+    );
+}

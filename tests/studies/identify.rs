@@ -80,7 +80,7 @@ fn question(records: Vec<MeasuredRecord>, vary: &[&str]) -> IdentifyQuestion {
         records,
         signals: vec!["x=wheel.delta".to_owned()],
         vary: vary.iter().map(|&one| one.to_owned()).collect(),
-        starts: 4,
+        starts: Some(4),
         ..IdentifyQuestion::default()
     }
 }
@@ -253,7 +253,7 @@ fn what_a_question_lacks_is_said_at_once() {
     let wrong = IdentifyQuestion {
         signals: vec!["x=wheel.delt".to_owned(), "y".to_owned()],
         sigmas: vec!["z=1 mrad".to_owned()],
-        starts: 0,
+        starts: Some(0),
         ..question(Vec::new(), &["wheel.stifness=1:2"])
     };
     let error = scene().identify(&wrong, &Control::default()).unwrap_err();
