@@ -444,7 +444,7 @@ def text() -> str:
     for name, definition in schema["$defs"].items():
         if "properties" in definition:
             classes.named(definition, "", name)
-    for name in ("run", "steady", "optimize"):
+    for name in ("run", "steady", "optimize", "tolerance", "identify"):
         classes.named(schema["properties"][name], "scene", name)
     for file in sorted(SCENARIOS.glob("*/*.json")):
         classes.examples.meet(schema, json.loads(file.read_text(encoding="utf-8")))

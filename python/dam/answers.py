@@ -1347,7 +1347,8 @@ class Identification(_Answered):
         found: dict[str, tuple[float, float] | None] = {}
         for row in rows:
             value, error = row["value"], row["standard_error"]
-            found[row["path"]] = None if value is None or error is None else (value, error)
+            is_known = row["determined"] and value is not None and error is not None
+            found[row["path"]] = (value, error) if is_known else None
         return found
 
     @property
@@ -1360,6 +1361,7 @@ class _EstimateRow(TypedDict):
     path: str
     value: float | None
     standard_error: float | None
+    determined: bool
 
 
 class Gradient(_Answered):

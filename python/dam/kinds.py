@@ -39,6 +39,7 @@ __all__ = [
     "Gravity",
     "Harmonic",
     "HuntCrossley",
+    "Identify",
     "Indicator",
     "Kloss",
     "Law",
@@ -104,6 +105,7 @@ __all__ = [
     "Table",
     "TableFile",
     "Teeth",
+    "Tolerance",
     "Torque",
     "TorqueLinear",
     "Torsion",
@@ -1488,6 +1490,49 @@ class HuntCrossley(Tree):
     ) -> None:
         super().__init__(
             ("kappa", kappa),
+        )
+
+
+class Identify(Tree):
+    """Numbers that are sought from records of the motion (`dam identify`).
+
+    Parameters
+    ----------
+    match
+        Columns of the records and the signals that they measure: "x=rocker.delta".
+    vary
+        Numbers that are sought, and their ranges: PATH=LOW:HIGH, with :START and :log if
+        wanted.
+    record
+        Records of the motion, CSV files in the folder of the scene, with settings for one
+        of them behind semicolons: "test.csv; shaft.motion.speed=300 rpm". Default: [].
+    sigma
+        Standard deviations of columns: "x=1 µrad". Default: [].
+    starts
+        Number of starts (8).
+    until
+        Up to where records are used; to their end if not given.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        match: Sequence[str],
+        vary: Sequence[str],
+        record: Sequence[str] | None = None,
+        sigma: Sequence[str] | None = None,
+        starts: int | str | None = None,
+        until: Literal['first_separation'] | None = None,
+    ) -> None:
+        super().__init__(
+            ("match", match),
+            ("vary", vary),
+            ("record", record),
+            ("sigma", sigma),
+            ("starts", starts),
+            ("until", until),
         )
 
 
@@ -4846,6 +4891,43 @@ class Teeth(Tree):
         super().__init__(
             ("ring", ring),
             ("sun", sun),
+        )
+
+
+class Tolerance(Tree):
+    """Tolerances of numbers, and limits of results (`dam tolerance`).
+
+    Parameters
+    ----------
+    tol
+        Numbers of the scene with their tolerances: "rocker.pair.gap=±0.02 mm".
+    figures
+        Results that are looked at; those of the limits if none. Default: [].
+    limit
+        Limits that samples are to meet: "rocker.delta_max <= 0.2 mrad". Default: [].
+    samples
+        Number of samples (4096); 0 for the stack alone.
+    seed
+        Seed of the samples (1).
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        tol: Sequence[str],
+        figures: Sequence[str] | None = None,
+        limit: Sequence[str] | None = None,
+        samples: int | str | None = None,
+        seed: int | str | None = None,
+    ) -> None:
+        super().__init__(
+            ("tol", tol),
+            ("figures", figures),
+            ("limit", limit),
+            ("samples", samples),
+            ("seed", seed),
         )
 
 

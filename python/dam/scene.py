@@ -12,7 +12,7 @@ from dam.errors import SceneError
 
 if TYPE_CHECKING:
     from dam.errors import Fault
-    from dam.kinds import AnyKind, Optimize, Run, Steady
+    from dam.kinds import AnyKind, Identify, Optimize, Run, Steady, Tolerance
     from dam.prepared import PreparedScene
 
 __all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema", "stroke"]
@@ -124,6 +124,10 @@ class Scene:
         What is asked of the steady motion of the drive.
     optimize
         What `optimize` looks for if it is not said there.
+    tolerance
+        Tolerances, results and limits of `tolerance`, if they are not said there.
+    identify
+        Records and numbers of `identify`, if they are not said there.
     description
         Remarks for people.
 
@@ -160,6 +164,8 @@ class Scene:
         *,
         steady: Steady | Mapping[str, Value] | None = None,
         optimize: Optimize | Mapping[str, Value] | None = None,
+        tolerance: Tolerance | Mapping[str, Value] | None = None,
+        identify: Identify | Mapping[str, Value] | None = None,
         description: str | None = None,
     ) -> None:
         if isinstance(run, (int, float, str)):
@@ -172,6 +178,8 @@ class Scene:
             "run": run,
             "steady": steady,
             "optimize": optimize,
+            "tolerance": tolerance,
+            "identify": identify,
         }
         self._core = _dam.Scene.of_tree(tree)
         self._source: tuple[str, str, str | None] | dict[str, Value] = tree
@@ -847,12 +855,12 @@ class Scene:
 
     def tolerance(
         self,
-        tolerances: Mapping[str, str] | str | Sequence[str],
+        tolerances: Mapping[str, str] | str | Sequence[str] = (),
         figures: str | Sequence[str] = (),
         *,
         limits: str | Sequence[str] = (),
-        samples: int = 4096,
-        seed: int = 1,
+        samples: int | None = None,
+        seed: int | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
         time_limit: float | None = None,
@@ -863,8 +871,9 @@ class Scene:
         normal with three standard deviations to a limit, with `uniform` behind it if so;
         `"+0.01 -0.03 mm"`, `"±1 %"`, of a length `"h7"`. Numbers that deviate by the same have
         commas between them. `limits`: conditions that samples are to meet,
-        `"rocker.delta_max <= 0.2 mrad"`. `samples=0`: the stack alone. The columns of the answer
-        are the samples. Results do not depend on `threads`.
+        `"rocker.delta_max <= 0.2 mrad"`. `samples`: 4096 if not said, 0 for the stack alone.
+        `seed`: 1 if not said. What is not given is taken from the block `tolerance` of the scene.
+        The columns of the answer are the samples. Results do not depend on `threads`.
 
         Examples
         --------
@@ -888,19 +897,19 @@ class Scene:
 
     def identify(
         self,
-        records: Measured | Sequence[Measured],
-        signals: Mapping[str, str],
-        vary: str | Sequence[str],
+        records: Measured | Sequence[Measured] = (),
+        signals: Mapping[str, str] | None = None,
+        vary: str | Sequence[str] = (),
         *,
         sigma: Mapping[str, Quantity] | None = None,
-        starts: int = 8,
+        starts: int | None = None,
         until_first_separation: bool = False,
         threads: int | None = None,
         progress: Progress | None = None,
         time_limit: float | None = None,
     ) -> answers.Identification:
         """Numbers of the scene from records of its motion, by least squares, with their standard
-        errors.
+        errors. What is not given is taken from the block `identify` of the scene.
 
         Parameters
         ----------
@@ -917,7 +926,7 @@ class Scene:
         sigma
             Standard deviations of columns, to weigh several against each other.
         starts
-            The first at the values of the scene, the others evenly in the ranges.
+            The first at the values of the scene, the others evenly in the ranges; 8 if not said.
         until_first_separation
             Whether rows after the first separation of a contact, in the scene as it is, are left
             out.
@@ -936,7 +945,7 @@ class Scene:
         listed = cast("Sequence[Measured]", records) if several else [cast("Measured", records)]
         found, answered, text = self._core.identify(
             [_measured(record, place) for place, record in enumerate(listed, 1)],
-            [f"{column}={signal}" for column, signal in signals.items()],
+            [f"{column}={signal}" for column, signal in (signals or {}).items()],
             [vary] if isinstance(vary, str) else list(vary),
             [f"{column}={value}" for column, value in (sigma or {}).items()],
             starts,

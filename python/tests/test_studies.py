@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ import numpy
 import pytest
 
 import dam
-from dam import answers
+from dam import answers, kinds
 
 
 def test_a_map_is_runs_at_its_points(rocker: dam.Scene) -> None:
@@ -340,6 +341,40 @@ def test_tolerances_are_those_of_a_slider_crank(scenarios: Path) -> None:
     assert (again.record[stroke] == samples[stroke]).all()
     with pytest.raises(dam.SceneError, match="one limit"):
         scene.tolerance({crank: "0.05 mm"}, stroke)
+
+
+def test_a_scene_holds_the_question_of_its_tolerances(scenarios: Path) -> None:
+    tree = json.loads((scenarios / "kinetostatics/slider_crank.json").read_text(encoding="utf-8"))
+    crank = "mechanism.links.crank.points.A[0]"
+    stroke = "kinematics.mechanism.slide.stroke"
+    block = kinds.Tolerance(tol=[f"{crank}=±0.05 mm"], figures=[stroke], samples=16)
+    scene = dam.Scene("press", tree["objects"], tree["run"], tolerance=block)
+    found = scene.tolerance()
+    assert found.worst_case(stroke) == pytest.approx((0.1199, 0.1201), rel=1e-12)
+    assert len(found.record[stroke]) == 16
+    assert len(scene.tolerance(samples=32).record[stroke]) == 32
+
+
+def test_a_scene_holds_the_question_of_its_records(scenarios: Path, tmp_path: Path) -> None:
+    tree = json.loads((scenarios / "shafts/free_vibration.json").read_text(encoding="utf-8"))
+    tree["identify"] = {
+        "record": ["released_wheel.csv"],
+        "match": ["deflection=wheel.delta"],
+        "vary": ["wheel.stiffness=5000:12000", "wheel.damping_capacity=0:1"],
+        "starts": 2,
+    }
+    del tree["$schema"]
+    path = tmp_path / "wheel.json"
+    path.write_text(json.dumps(tree), encoding="utf-8")
+    record = (scenarios / "shafts/released_wheel.csv").read_text(encoding="utf-8")
+    (tmp_path / "released_wheel.csv").write_text(record, encoding="utf-8")
+    own = dam.load(path).identify()
+    stiffness = own.estimates["wheel.stiffness"]
+    assert own.answered and stiffness is not None
+    assert stiffness[0] == pytest.approx(8250, rel=1e-3)
+    # Without the second number the damping of the scene does not explain the record.
+    one = dam.load(path).identify(vary="wheel.stiffness=5000:12000")
+    assert list(one.estimates) == ["wheel.stiffness"]
 
 
 def test_requirements_are_judged(scenarios: Path) -> None:

@@ -82,12 +82,7 @@ pub(crate) fn find(
 fn first_mechanism(span: Span, prepare: &Prepare<'_>) -> Result<(Span, Mechanism), Error> {
     let at = |span: &Span, share: f64| prepare(&[span.axis.setting(span.value(share))]);
     // (Between the ends no parameter is whole by chance.)
-    let counts = |error: &Error| {
-        error
-            .faults()
-            .iter()
-            .any(|fault| fault.message.contains("whole number"))
-    };
+    let counts = |error: &Error| error.faults().iter().any(Diagnostic::is_of_a_count);
     let span = match at(&span, 0.4321) {
         Ok(ready) => return Ok((span, ready)),
         Err(error) if counts(&error) => span.counting().map_err(Error::question)?,

@@ -134,10 +134,7 @@ fn parameter(
         });
     };
     let axis = Axis::linear(path, 0.0, 1.0, 2);
-    let counts = |error: Error| {
-        let mut faults = error.faults().iter();
-        faults.any(|fault| fault.message.contains("whole number"))
-    };
+    let counts = |error: Error| error.faults().iter().any(Diagnostic::is_of_a_count);
     let between = prepare(&[axis.setting(value + 0.5)]);
     if written.is_some_and(|one| one.whole) || between.is_err_and(counts) {
         let message = format!("`{path}` counts, and nothing has a derivative by it");

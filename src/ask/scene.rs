@@ -467,7 +467,7 @@ impl Scene {
     /// let question = ToleranceQuestion {
     ///     tolerances: vec!["mechanism.links.crank.points.A[0]=±0.05 mm".to_owned()],
     ///     figures: vec!["kinematics.mechanism.slide.stroke".to_owned()],
-    ///     samples: 16,
+    ///     samples: Some(16),
     ///     ..ToleranceQuestion::default()
     /// };
     /// let found = scene.tolerances(&question, &Control::default())?;
@@ -512,7 +512,7 @@ impl Scene {
     ///     }],
     ///     signals: vec!["x=rocker.delta".to_owned()],
     ///     vary: vec!["rocker.inertia=0.05:0.3".to_owned()],
-    ///     starts: 1,
+    ///     starts: Some(1),
     ///     ..IdentifyQuestion::default()
     /// };
     /// let found = scene.identify(&question, &Control::default())?;

@@ -6,7 +6,7 @@ use super::prepared::{PointSource, numbers, system_of};
 use crate::Error;
 use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
-use crate::frontend::scene::{Number, Reading};
+use crate::frontend::scene::{Number, Reading, ToleranceSpec};
 use crate::studies::Control;
 use crate::studies::axis::Parameter;
 use crate::studies::condition::{Condition, counts};
@@ -20,35 +20,47 @@ use crate::units::parse;
 use std::cell::Cell;
 
 /// What is toleranced, and which results are looked at.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ToleranceQuestion {
     /// Tolerances of numbers of the scene: `rocker.pair.gap=±0.02 mm`, with `uniform` behind it,
     /// `+0.01 -0.03 mm`, `±1 %`, of a length `h7`. Numbers that deviate by the same are separated
-    /// by commas.
+    /// by commas. Empty: those of the scene's block `tolerance`.
     pub tolerances: Vec<String>,
-    /// Addresses of results. Empty: those of the limits, else those of every elastic object that
-    /// are asked for most.
+    /// Addresses of results. Empty: those of the block, else those of the limits, else those of
+    /// every elastic object that are asked for most.
     pub figures: Vec<String>,
-    /// Limits that samples are to meet: `rocker.delta_max <= 0.2 mrad`.
+    /// Limits that samples are to meet: `rocker.delta_max <= 0.2 mrad`. Empty: those of the block.
     pub limits: Vec<String>,
-    /// Number of samples; 0: the stack alone.
-    pub samples: usize,
-    /// Seed of the samples.
-    pub seed: u32,
+    /// Number of samples, 0 for the stack alone; `None`: that of the block, else
+    /// [`USUAL_SAMPLES`].
+    pub samples: Option<usize>,
+    /// Seed of the samples; `None`: that of the block, else 1.
+    pub seed: Option<u32>,
     /// Number of threads; default: one for every processor core. Results do not depend on it.
     pub threads: Option<usize>,
 }
 
-impl Default for ToleranceQuestion {
-    fn default() -> Self {
-        Self {
-            tolerances: Vec::new(),
-            figures: Vec::new(),
-            limits: Vec::new(),
-            samples: USUAL_SAMPLES,
-            seed: 1,
-            threads: None,
+impl ToleranceQuestion {
+    /// The question with what it leaves open as the scene has it.
+    fn filled(&self, block: Option<&ToleranceSpec>) -> Self {
+        let mut all = self.clone();
+        let Some(block) = block else {
+            return all;
+        };
+        for (own, given) in [
+            (&mut all.tolerances, &block.tol),
+            (&mut all.figures, &block.figures),
+            (&mut all.limits, &block.limit),
+        ] {
+            if own.is_empty() {
+                own.clone_from(given);
+            }
         }
+        // (The block has been read within these bounds.)
+        let seed = block.seed.and_then(|seed| u32::try_from(seed).ok());
+        all.samples = all.samples.or(block.samples.map(|count| count as usize));
+        all.seed = all.seed.or(seed);
+        all
     }
 }
 
@@ -68,6 +80,8 @@ pub(crate) fn tolerance(
     heard: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Tolerances, Error> {
     let reading = source.decode(&[])?;
+    let question = &question.filled(reading.scene.tolerance.as_ref());
+    let samples = question.samples.unwrap_or(USUAL_SAMPLES);
     let system = system_of(&reading)?;
     let written_numbers = source.document.numbers(&*source.catalogue);
     let mut wrong = Vec::new();
@@ -82,8 +96,8 @@ pub(crate) fn tolerance(
     for figure in &mut figures {
         figure.exact = vec![None; dimensions.len()];
     }
-    if question.samples > MOST_SAMPLES {
-        let message = format!("{} samples are wanted", question.samples);
+    if samples > MOST_SAMPLES {
+        let message = format!("{samples} samples are wanted");
         let hint = format!("give at most {MOST_SAMPLES}");
         wrong.push(Diagnostic::error("question", message).hint(hint));
     }
@@ -102,8 +116,8 @@ pub(crate) fn tolerance(
         dimensions,
         figures,
         limits,
-        samples: question.samples,
-        seed: question.seed,
+        samples,
+        seed: question.seed.unwrap_or(1),
     };
     match points.prepared.question.levels().is_empty() {
         true => {
@@ -228,9 +242,8 @@ fn dimension(
         let zone = tolerance.zone(*value, size)?;
         // (Halfway to a limit nothing is whole by chance.)
         let between = si_setting(path, value + 0.4321 * (zone.upper - zone.lower));
-        let whole = |one: &Diagnostic| one.message.contains("whole number");
         let refused = source.decode(&[between]).err();
-        if refused.is_some_and(|faults| faults.items.iter().any(whole)) {
+        if refused.is_some_and(|faults| faults.items.iter().any(Diagnostic::is_of_a_count)) {
             return Err(format!("`{path}` counts, and has no tolerance"));
         }
         let number = written.iter().find(|one| one.address == *path);
@@ -290,10 +303,17 @@ fn unit_size(
     };
     let reading = source.decode(&[parameter.setting(value / one.value)]);
     let reading = reading.map_err(|faults| {
-        let first = faults.items.first().map_or("", |fault| &fault.message);
+        let first = faults.items.first();
+        // (The text of the setting is not that of the question.)
+        let what = first.map_or("", |fault| match fault.code {
+            "wrong-unit" => fault.hints.first().unwrap_or(&fault.message),
+            _ => &fault.message,
+        });
         match tolerance.limits {
-            WrittenLimits::Class(_) => format!("classes are those of lengths: {first}"),
-            _ => format!("the unit does not fit: {first}"),
+            WrittenLimits::Class(_) => {
+                format!("classes are those of lengths, which `{path}` is not: {what}")
+            }
+            _ => format!("`{unit}` does not fit `{path}`: {what}"),
         }
     })?;
     // (A number may take its unit in a sense of its own: 1/min as turns.)

@@ -72,7 +72,7 @@ fn refused_values(variables: &[Variable], source: &PointSource<'_, '_>) -> Vec<D
             continue;
         };
         for fault in found.items {
-            let counts = fault.message.contains("whole number");
+            let counts = fault.is_of_a_count();
             if counts || fault.code.contains("unit") || fault.code.contains("dimension") {
                 let path = &variable.path;
                 let message = match counts {

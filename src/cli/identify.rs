@@ -103,19 +103,15 @@ fn question(args: &IdentifyArgs) -> Result<IdentifyQuestion, Failure> {
 
 /// A record: its file, and the settings behind it.
 fn record(text: &str) -> Result<MeasuredRecord, String> {
-    let mut parts = text.split(';').map(str::trim);
-    let name = parts.next().unwrap_or_default().to_owned();
+    let (name, settings) = MeasuredRecord::name_and_settings(text);
     let wrong = |what: String| format!("--record: cannot read `{name}`: {what}");
     let bytes = File::open(&name)
         .and_then(read_bounded)
         .map_err(|error| wrong(error.to_string()))?;
     let text = String::from_utf8(bytes).map_err(|_| wrong("it is no UTF-8 text".to_owned()))?;
     Ok(MeasuredRecord {
-        text,
-        settings: parts
-            .filter(|part| !part.is_empty())
-            .map(str::to_owned)
-            .collect(),
         name,
+        text,
+        settings,
     })
 }

@@ -1,4 +1,5 @@
-//! Distributions: the normal one, the beta one, and what a count of successes says of a share.
+//! Distributions: the normal one, the one of χ², the beta one, and what a count of successes says
+//! of a share.
 
 use super::roots::bracketed;
 
@@ -47,6 +48,43 @@ fn ratio(coefficients: &Ratio, x: f64) -> f64 {
         .each_ref()
         .map(|own| own.iter().rev().fold(0.0, |sum, one| sum * x + one));
     above / below
+}
+
+/// Probability that χ² of some degrees of freedom exceeds a value: the incomplete gamma function
+/// Q(ν/2, χ²/2), by its series (DLMF 8.11.4) or continued fraction (DLMF 8.9.2, by Lentz's method).
+pub(crate) fn chi_squared_share_above(degrees: f64, value: f64) -> f64 {
+    let (a, x) = (0.5 * degrees, 0.5 * value);
+    if x.is_nan() || a.is_nan() || a <= 0.0 {
+        return f64::NAN;
+    }
+    if x <= 0.0 {
+        return 1.0;
+    }
+    let power = (a * x.ln() - x - libm::lgamma(a)).exp();
+    if x < a + 1.0 {
+        let (mut term, mut sum, mut n) = (1.0 / a, 1.0 / a, a);
+        while term > f64::EPSILON * sum {
+            n += 1.0;
+            term *= x / n;
+            sum += term;
+        }
+        return 1.0 - power * sum;
+    }
+    let mut b = x + 1.0 - a;
+    let (mut c, mut d) = (1e300, 1.0 / b);
+    let mut fraction = d;
+    for step in 1..1_000_000u32 {
+        let step = f64::from(step);
+        let part = step * (a - step);
+        b += 2.0;
+        d = 1.0 / away_from_zero(part * d + b);
+        c = away_from_zero(b + part / c);
+        fraction *= c * d;
+        if (c * d - 1.0).abs() < f64::EPSILON {
+            break;
+        }
+    }
+    power * fraction
 }
 
 /// Distribution function of the beta distribution with parameters a, b > 0, at x in [0, 1]: the
@@ -107,7 +145,10 @@ pub(crate) fn share_interval(successes: usize, trials: usize, level: f64) -> [f6
 
 #[cfg(test)]
 mod tests {
-    use super::{beta_share_below, normal_quantile, normal_share_below, share_interval};
+    use super::{
+        beta_share_below, chi_squared_share_above, normal_quantile, normal_share_below,
+        share_interval,
+    };
 
     fn assert_close(found: f64, wanted: f64, within: f64) {
         let off = (found - wanted).abs();
@@ -139,6 +180,26 @@ mod tests {
             let share = f64::from(step) / 1000.0;
             assert_close(normal_share_below(normal_quantile(share)), share, 4e-15);
         }
+    }
+
+    /// Values of SciPy 1.17.1 (`chi2.sf`).
+    #[test]
+    fn the_distribution_of_chi_squared_is_that_of_scipy() {
+        for (degrees, value, share) in [
+            (1.0, 3.84, 0.05004352124870519),
+            (3.0, 0.5, 0.9188914116546758),
+            (7.0, 20.0, 0.005569683072945574),
+            (198.0, 150.0, 0.9954201891391407),
+            (198.0, 260.0, 0.002039021937859725),
+            (10000.0, 10300.0, 0.017638117447345406),
+            (100000.0, 99000.0, 0.9875216843619172),
+            (5.0, 400.0, 2.9666446590828377e-84),
+        ] {
+            assert_close(chi_squared_share_above(degrees, value), share, 1e-10);
+        }
+        assert_eq!(chi_squared_share_above(4.0, 0.0), 1.0);
+        // Of two degrees of freedom it is exp(−χ²/2).
+        assert_close(chi_squared_share_above(2.0, 7.0), (-3.5f64).exp(), 1e-14);
     }
 
     /// Values of SciPy 1.17.1 (`special.betainc`).

@@ -186,7 +186,20 @@ fn stopped(figures: &Figures, ending: RunEnd) -> [Sentence; 2] {
         RunEnd::OfMechanism => "The mechanism stops",
     };
     let ended = Sentence::from(format!("{what} at t = ")).quantity(figures.run.time, "s", 6);
-    [ended.words("."), Sentence::read(reason.trim_end())]
+    [
+        ended.words("."),
+        Sentence::read(&as_sentence(figures, reason)),
+    ]
+}
+
+/// A reason as a sentence of its own. Names of objects stay as they are.
+fn as_sentence(figures: &Figures, reason: &str) -> String {
+    let reason = reason.trim_end();
+    let first = reason.split([' ', ',', ':']).next().unwrap_or_default();
+    match figures.objects.contains_key(first) {
+        true => reason.to_owned(),
+        false => capitalised(reason),
+    }
 }
 
 /// What contacts did in a run.
@@ -354,11 +367,21 @@ mod tests {
         );
         figures.run.complete = false;
         figures.run.stopped = Some("dead_position".into());
-        figures.run.stopped_because = Some("rod cannot be assembled beyond 90 deg".into());
-        let said = answer(&figures);
-        assert!(said.starts_with("The mechanism stops at t = "), "{said}");
-        let rest = "s. | rod cannot be assembled beyond 90 deg. Not in working order.";
-        assert!(said.ends_with(rest), "{said}");
+        for (reason, rest) in [
+            (
+                "the rod cannot be assembled beyond 90 deg",
+                "s. | The rod cannot be assembled beyond 90 deg. Not in working order.",
+            ),
+            (
+                "rocker cannot be assembled beyond 90 deg",
+                "s. | rocker cannot be assembled beyond 90 deg. Not in working order.",
+            ),
+        ] {
+            figures.run.stopped_because = Some(reason.into());
+            let said = answer(&figures);
+            assert!(said.starts_with("The mechanism stops at t = "), "{said}");
+            assert!(said.ends_with(rest), "{said}");
+        }
         figures.run.energy_error = f64::NAN;
         let said = answer(&figures);
         assert!(said.starts_with("The computation failed"), "{said}");

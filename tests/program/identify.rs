@@ -287,3 +287,251 @@ fn an_end_from_outside_keeps_what_is_done() {
     assert!(!starts.is_empty() && starts.len() < 1000);
     assert_ne!(output.status.code(), Some(0));
 }
+
+/// A record of the free decay with other values at each time.
+fn record_of(value: &dyn Fn(usize, f64) -> f64) -> String {
+    let decay = |time: f64| {
+        let share = 0.4 / (2.0 * std::f64::consts::TAU);
+        let own = 1e4 * f64::sqrt(1.0 - share * share);
+        let slow = f64::exp(-share * 1e4 * time);
+        1e-3 * slow * ((own * time).cos() + share * 1e4 / own * (own * time).sin())
+    };
+    let row = |at: usize| {
+        let time = at as f64 * 2e-5;
+        format!("{time:?},{:?}\n", value(at, decay(time)))
+    };
+    format!("t [s],x [rad]\n{}", (0..=200).map(row).collect::<String>())
+}
+
+fn noise(at: usize) -> f64 {
+    1e-6 * ((at * at) as f64).sin()
+}
+
+/// The answer to a record, with its text; `status`: exit status.
+fn asked(record: &str, more: &[&str], status: i32) -> (Value, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write(folder.path(), "scene.json", SCENE);
+    let record = write(folder.path(), "test.csv", record);
+    let arguments = [&[scene.as_str(), "--record", &record], &SOUGHT[..], more].concat();
+    let text = in_a_line(&dam(&arguments).stdout);
+    (document(&arguments, status), text)
+}
+
+/// Records that no values of the numbers explain have least squares too: they are no answer.
+#[test]
+fn a_fit_that_does_not_explain_the_record_is_no_answer() {
+    let time = |at: usize| at as f64 * 2e-5;
+    let wave = |at: usize| 1e-3 * (2.0e4 * time(at)).cos();
+    let reversed = record_of(&|_, own| own);
+    let reversed: Vec<&str> = reversed.lines().collect();
+    let turned = reversed[1..].iter().enumerate().map(|(at, _)| {
+        let value = reversed[reversed.len() - 1 - at].split(',').nth(1).unwrap();
+        format!("{:?},{value}\n", time(at))
+    });
+    let turned = format!("{}\n{}", reversed[0], turned.collect::<String>());
+    for (name, record) in [
+        ("another wave", record_of(&|at, _| wave(at))),
+        ("a wrong unit", record_of(&|at, own| 1e3 * own + noise(at))),
+        ("a zero", record_of(&|at, own| own + 5e-4 + noise(at))),
+        ("a constant", record_of(&|_, _| 1e-3)),
+        ("reversed", turned),
+    ] {
+        let (found, text) = asked(&record, &["--starts", "3"], 1);
+        assert_eq!(found["answered"], false, "{name}");
+        assert_eq!(found["misfit"]["cause"], "unexplained", "{name}: {text}");
+        assert!(
+            text.contains("The fit does not explain the record"),
+            "{name}: {text}"
+        );
+        for own in found["estimates"].as_array().unwrap() {
+            assert!(
+                own["value"].is_null() && own["standing"] == "misfit",
+                "{name}: {own}"
+            );
+        }
+        assert_eq!(found["settings"].as_array().unwrap().len(), 0, "{name}");
+    }
+}
+
+/// A stated standard deviation is held against the residuals by χ².
+#[test]
+fn residuals_are_held_against_a_stated_error() {
+    let record = record_of(&|at, own| own + noise(at));
+    let (found, text) = asked(&record, &["--starts", "2", "--sigma", "x=0.7 µrad"], 0);
+    // Σ sin² of 201 rows over 0.49.
+    let chi = &found["chi_squared"];
+    assert!(
+        (number(&chi["value"]) / (201.0 * 0.5 / 0.49) - 1.0).abs() < 0.05,
+        "{chi}"
+    );
+    assert_eq!(number(&chi["degrees"]), 199.0);
+    assert!(number(&chi["probability"]) > 0.1, "{chi}");
+    assert!(text.contains("residuals over σ"), "{text}");
+    let (found, text) = asked(&record, &["--starts", "2", "--sigma", "x=0.1 µrad"], 1);
+    assert_eq!(found["misfit"]["cause"], "above_sigma");
+    assert!(number(&found["chi_squared"]["probability"]) < 1e-10);
+    assert!(
+        text.contains("times its σ") && !text.contains("(±"),
+        "{text}"
+    );
+    // A little more than stated is said, and the errors are those of the residuals.
+    let (found, text) = asked(&record, &["--starts", "2", "--sigma", "x=0.55 µrad"], 0);
+    assert!(
+        found["misfit"].is_null() && text.contains("times the stated σ"),
+        "{text}"
+    );
+    // Without σ residuals have their unit.
+    let (found, text) = asked(&record, &["--starts", "2"], 0);
+    assert!(found["chi_squared"].is_null() && found["signals"][0]["sigma"].is_null());
+    assert!(!text.contains("over σ") && text.contains("µrad"), "{text}");
+}
+
+/// Small errors of the model leave an estimate, without a standard error in the headline.
+#[test]
+fn residuals_that_are_not_random_take_the_error_from_the_headline() {
+    let slow = |at: usize| 2e-5 * (at as f64 / 30.0).sin();
+    let (found, text) = asked(&record_of(&|at, own| own + slow(at)), &["--starts", "2"], 0);
+    assert_eq!(found["answered"], true);
+    assert_eq!(found["signals"][0]["random"], false);
+    assert!(
+        text.contains("The model has errors") && !text.contains("(±"),
+        "{text}"
+    );
+}
+
+#[test]
+fn rows_that_stand_out_are_named() {
+    let record = record_of(&|at, own| own + noise(at) + if at == 77 { 9e-5 } else { 0.0 });
+    let (found, text) = asked(&record, &["--starts", "2"], 0);
+    assert_eq!(found["signals"][0]["outliers"].as_array().unwrap().len(), 1);
+    assert!(
+        text.contains("1 row of `x` in") && text.contains("1.54 ms"),
+        "{text}"
+    );
+}
+
+/// A record without errors is known to what runs are known to, and no better.
+#[test]
+fn an_exact_record_has_the_errors_of_runs() {
+    let (found, text) = asked(&record_of(&|_, own| own), &["--starts", "3"], 0);
+    let own = &found["estimates"][0];
+    assert!((number(&own["value"]) - 10.0).abs() < 1e-9, "{own}");
+    assert!(number(&own["standard_error"]) > 1e-14, "{own}");
+    assert!(found["signals"][0]["random"].is_null());
+    assert!(text.contains("3 starts of 3 ended there"), "{text}");
+}
+
+/// One start cannot show that no other minimum fits better.
+#[test]
+fn one_start_is_not_confirmed() {
+    let record = record_of(&|at, own| own + noise(at));
+    let (_, text) = asked(&record, &["--starts", "1"], 0);
+    assert!(text.contains("No other start confirms it"), "{text}");
+}
+
+/// Beside a number at an end of its range the others hold under this condition alone.
+#[test]
+fn a_number_at_an_end_makes_the_others_conditional() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write(folder.path(), "scene.json", SCENE);
+    let record = write(folder.path(), "test.csv", &record());
+    let arguments = [
+        scene.as_str(),
+        "--record",
+        &record,
+        "--starts",
+        "2",
+        "--match",
+        "x=wheel.delta",
+        "--vary",
+        "wheel.stiffness=9.5:9.99 MN m/rad",
+        "--vary",
+        "wheel.damping_capacity=0:1",
+    ];
+    let found = document(&arguments, 1);
+    let [stiffness, capacity] = [&found["estimates"][0], &found["estimates"][1]];
+    assert_eq!(stiffness["standing"], "at_end");
+    assert_eq!(
+        (&capacity["standing"], &capacity["determined"]),
+        (&"conditional".into(), &false.into())
+    );
+    // Its error is that of a fit in which the stiffness is not sought.
+    let alone = [
+        scene.as_str(),
+        "--record",
+        &record,
+        "--starts",
+        "2",
+        "--match",
+        "x=wheel.delta",
+        "--set",
+        "wheel.stiffness=9.99 MN m/rad",
+        "--vary",
+        "wheel.damping_capacity=0:1",
+    ];
+    let alone = document(&alone, 0);
+    for key in ["value", "standard_error"] {
+        let ratio = number(&capacity[key]) / number(&alone["estimates"][0][key]);
+        assert!((ratio - 1.0).abs() < 1e-4, "{key}: {capacity} {alone}");
+    }
+}
+
+/// The scene holds the question, and its record lies beside it; options go before the block.
+#[test]
+fn a_scene_holds_its_own_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = write(folder.path(), "plain.json", SCENE);
+    let file = write(folder.path(), "test.csv", &record());
+    let block = |record: &str| {
+        let block = format!(
+            r#""identify": {{
+        "record": ["{record}"], "match": ["x=wheel.delta"], "sigma": ["x=0.7 µrad"], "starts": 2,
+        "vary": ["wheel.stiffness=2:30 MN m/rad", "wheel.damping_capacity=0:1"]
+    }},
+    "run""#
+        );
+        SCENE.replace("\"run\"", &block)
+    };
+    let scene = write(
+        folder.path(),
+        "scene.json",
+        &block("test.csv; run.tolerance=1e-9"),
+    );
+    let own = document(&[&scene], 0);
+    let given = format!("{file}; run.tolerance=1e-9");
+    let options = ["--record", &given, "--starts", "2", "--sigma", "x=0.7 µrad"];
+    let named = document(&[&[plain.as_str()], &options[..], &SOUGHT[..]].concat(), 0);
+    for key in ["estimates", "starts", "chi_squared", "settings"] {
+        assert_eq!(own[key], named[key], "{key}");
+    }
+    assert_eq!(own["signals"][0]["record"], "test.csv");
+    // Other signals have no standard deviations of the block.
+    let less = document(&[&scene, "--starts", "3", "--match", "x=wheel.delta"], 0);
+    assert_eq!(less["starts"].as_array().unwrap().len(), 3);
+    assert!(less["chi_squared"].is_null());
+    let absent = write(folder.path(), "absent.json", &block("tset.csv"));
+    let text = errors(&[&absent]);
+    assert!(text.contains("names the record `tset.csv`"), "{text}");
+    assert!(text.contains("test.csv"), "{text}");
+    let wrong = write(
+        folder.path(),
+        "wrong.json",
+        &block("test.csv").replace("\"vary\"", "\"vry\""),
+    );
+    let text = errors(&[&wrong]);
+    assert!(
+        text.contains("vry") && text.contains("wrong.json"),
+        "{text}"
+    );
+    // Without a block all that is missing is said at once.
+    let text = errors(&[&plain]);
+    for part in ["no record is named", "no column is matched", "--vary"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    // Other commands pass the block over.
+    let shown = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["show", &scene])
+        .output()
+        .unwrap();
+    assert!(shown.status.success());
+}

@@ -165,6 +165,10 @@ fn an_offset_about_zero_is_told_not_to_be_linear() {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("is not linear in the"), "{text}");
     assert!(text.contains("it is 0.02251 mm"), "{text}");
+    assert!(
+        text.contains("in the worst case of runs. First order does not hold"),
+        "{text}"
+    );
     let found = document(&[
         &path,
         "--tol",
@@ -375,7 +379,7 @@ fn what_is_wrong_is_refused_all_at_once() {
     for (tolerance, words) in [
         (
             "slide.position.slider_crank.crank=±1 kg",
-            "unit does not fit",
+            "`kg` does not fit `slide.position.slider_crank.crank`: it is length",
         ),
         ("slide.inertia=h7", "lengths"),
         ("slide.masses=±1", "counts"),
@@ -417,4 +421,59 @@ fn levels_that_the_scene_leaves_open_are_chosen_first() {
     ]);
     let own = &found["figures"]["rocker.delta_max"];
     assert!(own["first_order"]["sigma"].as_f64().unwrap() > 0.0, "{own}");
+}
+
+/// At a nominal value of zero too a message shows the question, and no probe of it.
+#[test]
+fn a_wrong_unit_is_that_of_the_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = scene(folder.path(), &slider_crank("0 mm"));
+    let tolerance = "slide.position.slider_crank.offset=±0.1 rad";
+    let text = errors(&[&path, "--tol", tolerance, "--figure", STROKE]);
+    assert!(
+        text.contains("does not fit") && !text.contains("0 rad"),
+        "{text}"
+    );
+}
+
+/// The scene holds the question; options go before its block.
+#[test]
+fn a_scene_holds_its_own_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let block = format!(
+        r#""tolerance": {{ "tol": ["{CRANK}", "{ROD}"], "figures": ["{STROKE}"], "limit": ["{STROKE} <= 102 mm"], "samples": 64, "seed": 3 }},
+    "run""#
+    );
+    let text = slider_crank("20 mm").replace("\"run\"", &block);
+    let path = scene(folder.path(), &text);
+    let own = document(&[&path]);
+    let plain = tempfile::tempdir().unwrap();
+    let plain = scene(plain.path(), &slider_crank("20 mm"));
+    let limit = format!("{STROKE} <= 102 mm");
+    let named = document(&[
+        &plain,
+        "--tol",
+        CRANK,
+        "--tol",
+        ROD,
+        "--figures",
+        STROKE,
+        "--limit",
+        &limit,
+        "--samples",
+        "64",
+        "--seed",
+        "3",
+    ]);
+    assert_eq!(own, named);
+    let less = document(&[&path, "--samples", "0", "--tol", CRANK]);
+    assert_eq!(less["figures"][STROKE]["by"].as_object().unwrap().len(), 1);
+    assert_ne!(less["yield"], own["yield"]);
+    assert!(errors(&[&plain]).contains("no tolerance is named"));
+    let wrong = text.replace("\"seed\": 3", "\"seeds\": 3");
+    let text = errors(&[&scene(folder.path(), &wrong)]);
+    assert!(
+        text.contains("seeds") && text.contains("scene.json"),
+        "{text}"
+    );
 }

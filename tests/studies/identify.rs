@@ -4,7 +4,7 @@
 use dam::ask::{IdentifyQuestion, MeasuredRecord};
 use dam::prelude::*;
 use dam::studies::Control;
-use dam::studies::identify::{Ending, Identification};
+use dam::studies::identify::{Ending, Identification, Standing};
 use serde_json::{Value, json};
 
 const REFERENCE: &str = include_str!("../reference/design-optimum-tolerance.json");
@@ -80,7 +80,7 @@ fn question(records: Vec<MeasuredRecord>, vary: &[&str]) -> IdentifyQuestion {
         records,
         signals: vec!["x=wheel.delta".to_owned()],
         vary: vary.iter().map(|&one| one.to_owned()).collect(),
-        starts: 4,
+        starts: Some(4),
         ..IdentifyQuestion::default()
     }
 }
@@ -234,8 +234,15 @@ fn an_estimate_at_the_end_of_its_range_is_not_one() {
     );
     let one = &found.estimates[0];
     assert!(
-        one.at_end && one.value().is_none() && !found.is_answered(),
+        one.standing == Standing::AtEnd && one.value().is_none() && !found.is_answered(),
         "{one:?}"
+    );
+    // The other one is known under this condition alone.
+    let other = &found.estimates[1];
+    assert_eq!(other.standing, Standing::Conditional);
+    assert!(
+        other.value().is_some() && !other.is_determined(),
+        "{other:?}"
     );
     assert_eq!(found.starts[0].start[0], 9.8e6);
     assert_eq!(found.ending, Ending::Converged);
@@ -246,7 +253,7 @@ fn what_a_question_lacks_is_said_at_once() {
     let wrong = IdentifyQuestion {
         signals: vec!["x=wheel.delt".to_owned(), "y".to_owned()],
         sigmas: vec!["z=1 mrad".to_owned()],
-        starts: 0,
+        starts: Some(0),
         ..question(Vec::new(), &["wheel.stifness=1:2"])
     };
     let error = scene().identify(&wrong, &Control::default()).unwrap_err();

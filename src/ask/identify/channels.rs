@@ -16,8 +16,8 @@ pub(super) struct Channel {
     pub(super) address: String,
     /// SI unit of the signal.
     pub(super) unit: &'static str,
-    /// Its standard deviation (SI); 1 if none is stated.
-    pub(super) weight: f64,
+    /// Its stated standard deviation (SI).
+    pub(super) sigma: Option<f64>,
 }
 
 /// The channels; what is wrong with them is added to the faults.
@@ -87,7 +87,7 @@ fn channel(text: &str, known: &[(String, &'static str)]) -> Result<Channel, Box<
         column,
         address,
         unit,
-        weight: 1.0,
+        sigma: None,
     })
 }
 
@@ -118,12 +118,13 @@ fn sigma(text: &str, channels: &mut [Channel]) -> Result<String, String> {
     let channel = channel.ok_or("no column of this name is matched")?;
     let measure = parse(value.trim()).map_err(|_| "no number with a known unit".to_owned())?;
     let is_bare = number_and_unit(value).is_some_and(|(_, unit)| unit.is_empty());
-    channel.weight = match quantity_of(channel.unit).accept(measure) {
+    let value = match quantity_of(channel.unit).accept(measure) {
         Ok(value) => value,
         Err(_) if is_bare => measure.value,
         Err(_) => return Err(format!("the signal is measured in {}", channel.unit)),
     };
-    match channel.weight > 0.0 && channel.weight.is_finite() {
+    channel.sigma = Some(value);
+    match value > 0.0 && value.is_finite() {
         true => Ok(column.to_owned()),
         false => Err("a standard deviation is greater than 0".to_owned()),
     }

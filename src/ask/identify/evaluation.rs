@@ -102,7 +102,7 @@ impl Evaluation<'_> {
                 .and_then(|values| test.grid.at_times(values))
                 .ok_or_else(|| format!("the run has no values of `{}`", signal.address))?;
             let rows = values.iter().zip(&signal.measured);
-            all.extend(rows.map(|(model, measured)| (model - measured) / signal.weight));
+            all.extend(rows.map(|(model, measured)| (model - measured) / signal.weight()));
         }
         Ok(())
     }

@@ -44,6 +44,9 @@ pub(crate) fn identify(
     heard: &(dyn Fn(usize) + Sync),
 ) -> Result<Identification, Error> {
     let reading = source.decode(&[])?;
+    let block = reading.scene.identify.as_ref();
+    let question = &question.filled(block, &*source.catalogue)?;
+    let starts = question.starts.unwrap_or(USUAL_STARTS);
     let model = lower(&reading.scene).map_err(|faults| reading.places.diagnose(&faults))?;
     let resolved = Resolved::of(question, (&reading, source), &model)?;
     let tables = tables(&question.records, &resolved.channels)?;
@@ -83,7 +86,7 @@ pub(crate) fn identify(
         variables: resolved.variables.clone(),
         given: resolved.own,
         signals: found.signals.clone(),
-        starts: question.starts,
+        starts,
         precision,
     };
     let Some(mut answer) = fit_all(task, &|rows| evaluation.residuals(rows)) else {
@@ -125,8 +128,11 @@ impl Resolved {
                 "give a CSV file with a column of time and columns of signals: --record test.csv";
             wrong.push(Diagnostic::error("question", "no record is named").hint(hint));
         }
-        if !(1..=MOST_STARTS).contains(&question.starts) {
-            let message = format!("--starts {}: 1 to {MOST_STARTS} starts", question.starts);
+        if let Some(starts) = question
+            .starts
+            .filter(|count| !(1..=MOST_STARTS).contains(count))
+        {
+            let message = format!("--starts {starts}: 1 to {MOST_STARTS} starts");
             wrong.push(Diagnostic::error("question", message));
         }
         let channels = channels(question, model, &mut wrong);

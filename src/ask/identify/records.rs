@@ -159,11 +159,13 @@ fn signals<'s>(
         column: channel.column.clone(),
         address: channel.address.clone(),
         unit: channel.unit.to_owned(),
-        weight: channel.weight,
+        sigma: channel.sigma,
         times: table.times.clone(),
         measured: values.clone(),
         residuals: Vec::new(),
         test: None,
+        is_exact: false,
+        outliers: Vec::new(),
     })
 }
 

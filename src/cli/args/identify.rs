@@ -8,23 +8,25 @@ use clap::{Args, ValueEnum};
 pub(crate) struct IdentifyArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// A record of the motion (may be repeated): a CSV file with a header; its first column is the
-    /// time. Settings for this record alone behind semicolons: "test.csv; shaft.motion.speed=300 rpm"
-    #[arg(long, value_name = "FILE", required = true)]
+    /// A record of the motion (may be repeated) [default: those of the scene's block `identify`]: a CSV
+    /// file with a header; its first column is the time. Settings for this record alone behind
+    /// semicolons: "test.csv; shaft.motion.speed=300 rpm"
+    #[arg(long, value_name = "FILE")]
     pub(crate) record: Vec<String>,
     /// A column of the records and the signal that it measures (may be repeated): x=rocker.delta
-    #[arg(long = "match", value_name = "COLUMN=SIGNAL", required = true)]
+    #[arg(long = "match", value_name = "COLUMN=SIGNAL")]
     pub(crate) matched: Vec<String>,
     /// A number that is sought, and its range (may be repeated): rocker.stiffness="5:20 MN m/rad";
     /// with :START for the value of the first start, with :log for equal ratios
-    #[arg(long, value_name = "PATH=LOW:HIGH", required = true)]
+    #[arg(long, value_name = "PATH=LOW:HIGH")]
     pub(crate) vary: Vec<String>,
     /// Standard deviation of a column, to weigh several against each other: "x=1 µrad"
     #[arg(long, value_name = "COLUMN=VALUE")]
     pub(crate) sigma: Vec<String>,
-    /// Starts: the first at the values of the scene, the others evenly in the ranges
-    #[arg(long, value_name = "COUNT", default_value_t = crate::ask::USUAL_STARTS)]
-    pub(crate) starts: usize,
+    /// Number of starts [default: 8]: the first at the values of the scene, the others evenly in the
+    /// ranges
+    #[arg(long, value_name = "COUNT")]
+    pub(crate) starts: Option<usize>,
     /// Use the records up to there and leave out all later rows
     #[arg(long, value_enum)]
     pub(crate) until: Option<RecordEnd>,

@@ -8,11 +8,11 @@ use clap::Args;
 pub(crate) struct ToleranceArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// A number of the scene with its tolerance (may be repeated): rocker.pair.gap="±0.02 mm". Other
-    /// forms are "+-0.02 mm uniform", "+0.01 -0.03 mm", "±1 %" and "h7". A limit is 3 standard
+    /// A number of the scene with its tolerance (may be repeated) [default: those of the scene's
+    /// block `tolerance`]: rocker.pair.gap="±0.02 mm". Other forms are "+-0.02 mm uniform", "+0.01 -0.03 mm", "±1 %" and "h7". A limit is 3 standard
     /// deviations from the middle unless it is uniform. Numbers with commas between them deviate by
     /// the same
-    #[arg(long, value_name = "PATH=TOLERANCE", required = true)]
+    #[arg(long, value_name = "PATH=TOLERANCE")]
     pub(crate) tol: Vec<String>,
     /// Results of the run or of other studies [default: those of the limits, else those of elastic
     /// objects asked for most]: rocker.delta_max,kinematics.press.ram.stroke
@@ -27,12 +27,12 @@ pub(crate) struct ToleranceArgs {
     /// mrad"
     #[arg(long, value_name = "CONDITION")]
     pub(crate) limit: Vec<String>,
-    /// Samples of the tolerances; 0 for the stack alone
-    #[arg(long, value_name = "COUNT", default_value_t = crate::studies::tolerance::USUAL_SAMPLES)]
-    pub(crate) samples: usize,
-    /// Seed of the samples
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
-    pub(crate) seed: u32,
+    /// Samples of the tolerances; 0 for the stack alone [default: 4096]
+    #[arg(long, value_name = "COUNT")]
+    pub(crate) samples: Option<usize>,
+    /// Seed of the samples [default: 1]
+    #[arg(long, value_name = "NUMBER")]
+    pub(crate) seed: Option<u32>,
     /// Threads; one for every processor core if not given
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,

@@ -58,6 +58,7 @@ pub const CODES: &[Code] = &[
     code("not-json", "The text is not JSON.", "Correct it at the place that is marked."),
     code("not-trusted", "The checks of the steady motion disagree, so a result of it cannot be used.", "Look at the checks by `dam steady`; a smaller tolerance may help."),
     code("not-utf8", "The file is not UTF-8 text.", "Save it as UTF-8."),
+    code("not-whole", "A property that counts has another value than a whole number.", "Write a whole number; the message states the bounds."),
     code("open-period", "Warning: a periodic table ends one step before a whole turn; its last point counts as the first of the next period.", "Give the table a `period`; the message proposes one."),
     code("out-of-range", "A number is outside its bounds.", "Write a number within the bounds that the message states."),
     code("output", "A result could not be written.", "Check the folder, its permissions and the free space."),

@@ -54,6 +54,11 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
+    /// Whether it is that of a value that is no whole number, at a property that counts.
+    pub fn is_of_a_count(&self) -> bool {
+        self.code == "not-whole"
+    }
+
     /// An error.
     pub fn error(code: &'static str, message: impl Into<String>) -> Self {
         Self {

@@ -22,8 +22,7 @@ pub(super) fn read_masses(mut slot: Slot<'_>, most: u64) -> Option<Masses> {
     let text = slot.node().and_then(|node| node.text());
     if let Some(text) = text.filter(|text| *text != "auto" && !slot.is_formula()) {
         let message = format!("`masses` must be a whole number or \"auto\", found {text:?}");
-        slot.refuse("wrong-type", message).label =
-            "expected a whole number, or \"auto\"".to_owned();
+        slot.refuse("not-whole", message).label = "expected a whole number, or \"auto\"".to_owned();
         return None;
     }
     slot.choice_or(&[("auto", Masses::Auto)], |slot| {

@@ -139,7 +139,7 @@ impl Slot<'_> {
             Value::Number(value) => *value,
             Value::Text(text) if self.is_formula() => self.measure(text, &NUMBER.into())?,
             _ => {
-                self.wrong_type("a whole number");
+                self.wrong_type("a whole number").code = "not-whole";
                 return None;
             }
         };
@@ -153,7 +153,9 @@ impl Slot<'_> {
                     format!("{name} must be a whole number from {least} to {most}, found {value}")
                 }
             };
-            self.refuse("out-of-range", message);
+            let is_whole = value.fract() == 0.0;
+            let code = if is_whole { "out-of-range" } else { "not-whole" };
+            self.refuse(code, message);
             return None;
         }
         *self.out = json!(value as u64);

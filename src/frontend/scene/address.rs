@@ -6,11 +6,13 @@ use crate::frontend::read::{Member, Node, Value, synonyms};
 use std::ops::Range;
 
 /// Names that address the scene itself and cannot be ids.
-pub(super) const RESERVED: [&str; 10] = [
+pub(super) const RESERVED: [&str; 12] = [
     "parameters",
     "run",
     "steady",
     "optimize",
+    "tolerance",
+    "identify",
     "kinematics",
     "forces",
     "expect",

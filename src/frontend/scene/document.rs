@@ -206,6 +206,8 @@ impl Document {
                     run: read.run,
                     steady: read.steady,
                     optimize: read.optimize,
+                    tolerance: read.tolerance,
+                    identify: read.identify,
                     expect: read.expect,
                     measured: read.measured,
                     hash: hash(&canonical),

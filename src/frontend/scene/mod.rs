@@ -11,6 +11,7 @@ pub mod edit;
 mod expect;
 mod figures;
 mod folder;
+mod identify;
 mod levels;
 mod numbers;
 mod objects;
@@ -25,6 +26,7 @@ mod span;
 mod steady;
 mod study_address;
 mod template;
+mod tolerance;
 mod variation;
 
 pub(crate) use catalogue::BeforeBuiltIn;
@@ -34,6 +36,7 @@ pub use document::{Document, Places, Reading};
 pub(crate) use figures::is_expectable;
 pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described_results};
 pub use folder::{Folder, read_bounded};
+pub use identify::IdentifySpec;
 pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
 pub use optimize::OptimizeSpec;
@@ -42,6 +45,7 @@ pub use schema::{schema, schema_of, schema_text};
 pub(crate) use span::SpanAddress;
 pub(crate) use study_address::StudyAddress;
 pub(crate) use template::Template;
+pub use tolerance::ToleranceSpec;
 pub use variation::Variation;
 
 use crate::dynamics::model::Condition;
@@ -65,6 +69,10 @@ pub struct TypedScene {
     pub steady: Option<SteadySpec>,
     /// What `dam optimize` is asked, if that is in the scene.
     pub optimize: Option<OptimizeSpec>,
+    /// What `dam tolerance` is asked, if that is in the scene.
+    pub tolerance: Option<ToleranceSpec>,
+    /// What `dam identify` is asked, if that is in the scene.
+    pub identify: Option<IdentifySpec>,
     /// Expectations of the run.
     pub expect: Vec<Expectation>,
     /// Numbers with units of figures whose quantity follows from the model.

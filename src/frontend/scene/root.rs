@@ -2,8 +2,8 @@
 
 use super::objects::{self, ObjectTable};
 use super::{
-    Expectation, MeasuredValue, OptimizeSpec, RunSpec, SceneObject, SteadySpec, expect, optimize,
-    run, steady,
+    Expectation, IdentifySpec, MeasuredValue, OptimizeSpec, RunSpec, SceneObject, SteadySpec,
+    ToleranceSpec, expect, identify, optimize, run, steady, tolerance,
 };
 use crate::frontend::read::Slot;
 use serde_json::json;
@@ -16,6 +16,8 @@ pub(super) struct Root {
     pub(super) run: RunSpec,
     pub(super) steady: Option<SteadySpec>,
     pub(super) optimize: Option<OptimizeSpec>,
+    pub(super) tolerance: Option<ToleranceSpec>,
+    pub(super) identify: Option<IdentifySpec>,
     pub(super) expect: Vec<Expectation>,
     pub(super) measured: Vec<MeasuredValue>,
 }
@@ -40,6 +42,10 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
         let steady = fields.maybe("steady", doc, |slot| steady::read(slot, &known));
         let doc = "The wanted best values of several variables (`dam optimize`).";
         let optimize = fields.maybe("optimize", doc, optimize::read);
+        let doc = "Tolerances of numbers, and limits of results (`dam tolerance`).";
+        let tolerance = fields.maybe("tolerance", doc, tolerance::read);
+        let doc = "Numbers that are sought from records of the motion (`dam identify`).";
+        let identify = fields.maybe("identify", doc, identify::read);
         let expect = fields.or(
             "expect",
             "Values that results of the run must have.",
@@ -54,6 +60,8 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
             run: run?,
             steady: steady?,
             optimize: optimize?,
+            tolerance: tolerance?,
+            identify: identify?,
             expect: expect?,
             measured: known.measured.take(),
         })

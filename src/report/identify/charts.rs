@@ -12,7 +12,7 @@ pub(super) fn charts(signal: &FittedSignal) -> Vec<Plot> {
         signal.times.iter().copied().zip(values).collect()
     };
     let residuals: Vec<f64> = (signal.residuals.iter())
-        .map(|own| signal.weight * own)
+        .map(|own| signal.weight() * own)
         .collect();
     let fit = signal.measured.iter().zip(&residuals);
     let fit = Series::line("fit", over(fit.map(|(own, rest)| own + rest).collect()));

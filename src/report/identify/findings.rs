@@ -2,8 +2,8 @@
 
 use super::charts::charts;
 use super::words::{
-    DIGITS, FEW, correlation_words, direction_words, estimate_words, in_unit, verdict,
-    verdict_words,
+    DIGITS, FEW, chi_squared_words, correlation_words, direction_words, estimate_words, in_unit,
+    outlier_words, verdict, verdict_words,
 };
 use crate::report::addresses::parameter_words;
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table};
@@ -49,7 +49,7 @@ fn estimates_table(found: &Identification) -> Table {
             Cell::from(value),
             Cell::from(error),
             Cell::from(in_unit(one.given, one, DIGITS)),
-            Cell::from(verdict_words(one, found.ending)).with_outcome(Some(one.is_determined())),
+            Cell::from(verdict_words(one, found)).with_outcome(Some(one.is_determined())),
         ]
     };
     let heads = [
@@ -65,6 +65,7 @@ fn estimates_table(found: &Identification) -> Table {
 fn signals_table(found: &Identification) -> Table {
     let row = |one: &FittedSignal| {
         let (runs, random) = match &one.test {
+            _ if one.is_exact => ("–".to_owned(), "none but errors of runs"),
             Some(test) => {
                 let expected = significant(test.expected, FEW);
                 let random = if test.is_random() {
@@ -76,7 +77,6 @@ fn signals_table(found: &Identification) -> Table {
             }
             None => ("–".to_owned(), "of one sign"),
         };
-        let is_random = one.test.is_some_and(|test| test.is_random());
         vec![
             Cell::from(one.record.as_str()),
             Cell::from(one.column.as_str()),
@@ -84,7 +84,7 @@ fn signals_table(found: &Identification) -> Table {
             Cell::from(one.times.len().to_string()),
             Cell::from(with_unit(one.rms(), &one.unit, FEW)),
             Cell::from(runs),
-            Cell::from(random).with_outcome(Some(is_random)),
+            Cell::from(random).with_outcome(Some(one.is_random())),
         ]
     };
     let heads = [
@@ -100,6 +100,11 @@ fn signals_table(found: &Identification) -> Table {
 }
 
 fn starts_table(found: &Identification) -> Table {
+    // (Without σ all columns have one unit.)
+    let mut columns = found.signals.iter();
+    let unit = columns
+        .find(|one| one.sigma.is_none())
+        .map(|one| one.unit.as_str());
     let row = |one: &StartResult| {
         let values = |all: &[f64]| {
             let each = all.iter().zip(&found.estimates);
@@ -110,12 +115,16 @@ fn starts_table(found: &Identification) -> Table {
         let ending = match one.ending {
             Ending::Converged if one.is_rival => "converged, as good as the best",
             Ending::Converged => "converged",
+            Ending::Stalled => "at a kink or a jump",
             Ending::MostSteps => "after the most steps",
             Ending::NoResiduals => "cannot be run",
             Ending::Interrupted => "ended from outside",
         };
         let is_good = one.ending == Ending::Converged && !one.is_rival;
-        let rms = |rms| significant(rms, RESIDUAL);
+        let rms = |rms| match unit {
+            None => significant(rms, RESIDUAL),
+            Some(unit) => with_unit(rms, unit, RESIDUAL),
+        };
         vec![
             Cell::from(values(&one.start)),
             Cell::from(values(&one.end)),
@@ -123,7 +132,11 @@ fn starts_table(found: &Identification) -> Table {
             Cell::from(ending).with_outcome(Some(is_good)),
         ]
     };
-    let heads = [">start", ">end", ">residuals over σ (rms)", "ended"];
+    let residuals = match unit {
+        None => ">residuals over σ (rms)",
+        Some(_) => ">residuals (rms)",
+    };
+    let heads = [">start", ">end", residuals, "ended"];
     Table::new(heads).rows(found.starts.iter().map(row))
 }
 
@@ -131,8 +144,9 @@ fn notes(found: &Identification) -> Vec<String> {
     let directions = found.open_directions.iter();
     let mut notes: Vec<String> = directions.map(|own| direction_words(own)).collect();
     notes.extend(correlation_words(found));
-    let is_random = |one: &FittedSignal| one.test.is_some_and(|test| test.is_random());
-    if found.ending == Ending::Converged && !found.signals.iter().all(is_random) {
+    notes.extend(chi_squared_words(found));
+    notes.extend(outlier_words(found));
+    if found.ending == Ending::Converged && !found.is_random() {
         let words = "Residuals that are not random contain errors of the model. The standard \
                      errors do not contain these.";
         notes.push(words.to_owned());

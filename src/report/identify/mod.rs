@@ -17,7 +17,7 @@ pub fn rows(found: &Identification) -> Rows {
     let each = found.signals.iter().flat_map(|one| {
         let rows = one.times.iter().zip(&one.measured).zip(&one.residuals);
         rows.map(move |((time, measured), residual)| {
-            let residual = one.weight * residual;
+            let residual = one.weight() * residual;
             let cells: [Field; 7] = [
                 one.record.as_str().into(),
                 one.address.as_str().into(),

@@ -121,19 +121,19 @@ pub(super) fn conflict_table(answer: &Optimization) -> Option<Table> {
 }
 
 pub(super) fn optima_table(answer: &Optimization) -> Table {
-    let heads = ["".to_owned(), format!(">{}", goal_words(answer))];
+    // (A variable that is the goal has its column already.)
+    let has_goal = !answer.goal.is_parameter;
+    let goal = has_goal.then(|| format!(">{}", goal_words(answer)));
+    let heads = std::iter::once(String::new()).chain(goal);
     let variables = answer.variables.iter();
     let variables = variables.map(|one| format!(">{}", parameter_words(&one.path)));
     let heads: Vec<String> = heads
-        .into_iter()
         .chain(variables)
         .chain([">starts".to_owned()])
         .collect();
     let row = |(at, one): (usize, &Optimum)| {
-        let mut cells = vec![
-            Cell::from((at + 1).to_string()),
-            Cell::from(goal_value(answer, one.goal, DIGITS)),
-        ];
+        let mut cells = vec![Cell::from((at + 1).to_string())];
+        cells.extend(has_goal.then(|| Cell::from(goal_value(answer, one.goal, DIGITS))));
         let each = answer.variables.iter().zip(&one.values);
         cells.extend(
             each.map(|(variable, value)| Cell::from(value_words(variable, *value, FIGURE))),

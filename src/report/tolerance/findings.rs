@@ -15,6 +15,9 @@ use crate::studies::tolerance::{
 const DIGITS: usize = 7;
 /// Digits of spreads.
 const FEW: usize = 4;
+/// Difference of a worst case of runs from that of first order, as a share of its reach, beyond which
+/// the latter does not hold.
+const NOT_LINEAR: f64 = 0.1;
 
 /// The tolerance of every result, what makes it, and how many samples meet the limits.
 pub fn findings<'a>(scene: &str, found: &Tolerances, source: Source<'a>) -> Findings<'a> {
@@ -96,6 +99,13 @@ fn interval_words(all: &Yield) -> String {
 fn spread_words(figure: &FigureTolerance) -> String {
     let words = heading(&figure.figure);
     let value = |value: f64| with_unit(value, &figure.unit, DIGITS);
+    if let Some([least, greatest]) = runs_beside_first_order(figure) {
+        return format!(
+            "{words} is {} to {} in the worst case of runs. First order does not hold.",
+            value(least),
+            value(greatest)
+        );
+    }
     match (&figure.first_order, &figure.spread) {
         (Some(stack), _) => {
             let reach = with_unit(stack.worst_case[1] - stack.mean, &figure.unit, FEW);
@@ -115,6 +125,15 @@ fn spread_words(figure: &FigureTolerance) -> String {
             figure.middle.map_or("–".to_owned(), value)
         ),
     }
+}
+
+/// The worst case of runs, if that of first order is far from it.
+fn runs_beside_first_order(figure: &FigureTolerance) -> Option<[f64; 2]> {
+    let stack = figure.first_order.as_ref()?;
+    let runs = [figure.extremes[0]?, figure.extremes[1]?];
+    let reach = stack.worst_case[1] - stack.mean;
+    let is_off = |end: usize| (runs[end] - stack.worst_case[end]).abs() > NOT_LINEAR * reach;
+    (is_off(0) || is_off(1)).then_some(runs)
 }
 
 /// What contributes most to a result.

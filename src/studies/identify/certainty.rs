@@ -23,9 +23,12 @@ const NO_SHARE: f64 = 1e-6;
 /// Certainty of the parameters of a fit, as shares of their ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certainty {
+    /// Degrees of freedom: residuals less parameters that are not held.
+    pub free: usize,
     /// Standard deviation of a residual of weight 1: s² = Σr²/(n − k).
     pub sigma: f64,
-    /// Standard errors, from s²(JᵀJ)⁻¹; `None`: the record says nothing of the parameter.
+    /// Standard errors, from s²(JᵀJ)⁻¹; `None`: the record says nothing of the parameter, or it is
+    /// held.
     pub errors: Vec<Option<f64>>,
     /// Correlations of the parameters; 0 where an error is not known.
     pub correlations: DMatrix<f64>,
@@ -46,18 +49,29 @@ struct Direction {
 }
 
 impl Certainty {
-    /// Of a fit to signals of a size √Σ(y/σ)². `None`: there are no more residuals than
-    /// parameters, or the derivatives are unknown.
+    /// Of a fit to signals of a size √Σ(y/σ)². Parameters at an end of their range are held there.
+    /// `None`: there are no more residuals than other parameters, or the derivatives are unknown.
     pub fn of(fit: &Fit, size: f64, precision: Precision) -> Option<Self> {
         let jacobian = fit.jacobian.as_ref()?;
         let (residuals, count) = jacobian.shape();
-        let free = residuals.checked_sub(count).filter(|free| *free > 0)?;
-        let sigma = (2.0 * fit.cost() / free as f64).sqrt();
-        let noise = NOISE * precision.of_derivatives() * size;
+        let is_held = |at: usize| is_at_end(fit.shares[at]);
+        let sought = (0..count).filter(|at| !is_held(*at)).count();
+        let free = residuals.checked_sub(sought).filter(|free| *free > 0)?;
+        // (The runs themselves are known to no more than their error.)
+        let error = precision.error * size;
+        let sigma = (2.0 * fit.cost() / free as f64 + error * error / residuals as f64).sqrt();
+        let noise = NOISE * error / fit.step;
         let norms: Vec<f64> = jacobian
             .column_iter()
             .map(|column| column.norm())
-            .map(|norm| if norm > noise { norm } else { 0.0 })
+            .enumerate()
+            .map(|(at, norm)| {
+                if norm > noise && !is_held(at) {
+                    norm
+                } else {
+                    0.0
+                }
+            })
             .collect();
         let directions = directions(jacobian, &norms, noise)?;
         let covariance = DMatrix::from_fn(count, count, |row, column| {
@@ -81,6 +95,7 @@ impl Certainty {
             (false, _) => 0.0,
         };
         Some(Self {
+            free,
             sigma,
             errors: (0..count)
                 .map(|at| error(at).map(|error| sigma * error))
@@ -88,6 +103,17 @@ impl Certainty {
             correlations: DMatrix::from_fn(count, count, correlation),
             directions,
         })
+    }
+
+    /// Changes of all parameters for one standard error of one of them, the sum of squares least:
+    /// the sum of squares rises by s². `None`: its error is not known.
+    pub fn one_error(&self, parameter: usize) -> Option<Vec<f64>> {
+        self.errors[parameter]?;
+        let changes = self.errors.iter().enumerate();
+        let own = |(at, error): (usize, &Option<f64>)| {
+            error.unwrap_or(0.0) * self.correlations[(parameter, at)]
+        };
+        Some(changes.map(own).collect())
     }
 
     /// Pairs of parameters of which the record determines a combination alone.
@@ -118,6 +144,11 @@ impl Certainty {
         });
         worst.map_or(&[], |one| &one.changes)
     }
+}
+
+/// Whether a share of a range is an end of it.
+pub(super) fn is_at_end(share: f64) -> bool {
+    share <= 0.0 || share >= 1.0
 }
 
 /// The singular vectors of the derivatives, each column over its norm; a norm of 0 is that of a

@@ -1,6 +1,6 @@
 //! What was identified, as JSON.
 
-use super::{Ending, Estimate, FittedSignal, Identification, StartResult};
+use super::{Ending, Estimate, FittedSignal, Identification, Misfit, StartResult};
 use serde_json::{Value, json};
 
 impl Ending {
@@ -8,6 +8,7 @@ impl Ending {
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
+            Self::Stalled => "stalled",
             Self::MostSteps => "most_steps",
             Self::NoResiduals => "cannot_be_run",
             Self::Interrupted => "interrupted",
@@ -29,6 +30,8 @@ impl Identification {
             "correlations": self.correlations,
             "correlated": correlated.collect::<Vec<_>>(),
             "residual_sigma": self.sigma,
+            "chi_squared": self.chi_squared,
+            "misfit": self.misfit.as_ref().map(misfit),
             "signals": self.signals.iter().map(signal).collect::<Vec<_>>(),
             "starts": self.starts.iter().map(start).collect::<Vec<_>>(),
             "starts_requested": self.starts_requested,
@@ -44,7 +47,7 @@ fn estimate(one: &Estimate) -> Value {
     json!({
         "path": one.variable.path, "unit": one.variable.unit,
         "value": known.map(|(value, _)| value), "standard_error": known.map(|(_, error)| error),
-        "determined": one.is_determined(), "at_end": one.at_end, "ambiguous": one.is_ambiguous,
+        "determined": one.is_determined(), "standing": one.standing.name(),
         "low": one.variable.low, "high": one.variable.high, "given": one.given,
     })
 }
@@ -52,9 +55,22 @@ fn estimate(one: &Estimate) -> Value {
 fn signal(one: &FittedSignal) -> Value {
     json!({
         "record": one.record, "column": one.column, "signal": one.address, "unit": one.unit,
-        "sigma": one.weight, "rows": one.times.len(), "rms": one.rms(), "runs_test": one.test,
-        "random": one.test.map(|test| test.is_random()),
+        "sigma": one.sigma, "rows": one.times.len(), "rms": one.rms(), "runs_test": one.test,
+        "random": one.test.filter(|_| !one.is_exact).map(|test| test.is_random()),
+        "outliers": one.outliers.iter().map(|(row, _)| one.times[*row]).collect::<Vec<_>>(),
     })
+}
+
+fn misfit(one: &Misfit) -> Value {
+    match one {
+        Misfit::AboveSigma { column, ratio } => json!({
+            "cause": "above_sigma", "column": column, "ratio": ratio,
+        }),
+        // (A constant signal has no variation.)
+        Misfit::Unexplained { column, share } => json!({
+            "cause": "unexplained", "column": column, "ratio": share.is_finite().then_some(share),
+        }),
+    }
 }
 
 fn start(one: &StartResult) -> Value {

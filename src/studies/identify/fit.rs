@@ -21,11 +21,26 @@ const FIRST_DAMPING: f64 = 1e-3;
 /// Most damping.
 const MOST_DAMPING: f64 = 1e16;
 
+/// Gain, over the variance of a residual, below which an estimate is that of the minimum: a
+/// hundredth of a standard error.
+const SMALL_GAIN: f64 = 1e-4;
+
+/// Factor of a step of differences that is too long.
+const SHORTER: f64 = 0.25;
+
+/// Step of differences that is not made shorter.
+const SHORTEST_STEP: f64 = 1e-9;
+
+/// Curvature, over the greatest one, below which a direction has no effect.
+const NO_EFFECT: f64 = 1e-10;
+
 /// Why a fit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// No step improves it.
+    /// The slopes say that no step improves it.
     Converged,
+    /// No step improves it, though the slopes say that one does: a kink or a jump.
+    Stalled,
     /// After the most steps.
     MostSteps,
     /// The residuals cannot be computed about these values.
@@ -43,6 +58,8 @@ pub struct Fit {
     pub residuals: Vec<f64>,
     /// Their derivatives by the shares, a column a parameter; `None`: unknown there.
     pub jacobian: Option<DMatrix<f64>>,
+    /// Step of the differences there.
+    pub step: f64,
     /// Steps that were taken.
     pub steps: usize,
     /// Why it ended.
@@ -60,13 +77,19 @@ fn cost(residuals: &[f64]) -> f64 {
     0.5 * residuals.iter().map(|one| one * one).sum::<f64>()
 }
 
-/// The fit from a start. `None`: there are no residuals at the start, or it was ended from outside
-/// before they were known.
-pub fn fit(start: &[f64], precision: Precision, residuals: &Residuals<'_>) -> Option<Fit> {
+/// The fit from a start to signals of a size √Σ(y/σ)². `None`: there are no residuals at the start,
+/// or it was ended from outside before they were known.
+pub fn fit(
+    start: &[f64],
+    size: f64,
+    precision: Precision,
+    residuals: &Residuals<'_>,
+) -> Option<Fit> {
     let shares = within_ranges(start.to_vec());
     let found = residuals(std::slice::from_ref(&shares))?.pop()??;
     let mut descent = Descent {
         step: precision.step,
+        error: precision.error * size,
         of: residuals,
         shares,
         residuals: found,
@@ -80,6 +103,7 @@ pub fn fit(start: &[f64], precision: Precision, residuals: &Residuals<'_>) -> Op
         shares: descent.shares,
         residuals: descent.residuals,
         jacobian: descent.jacobian,
+        step: descent.step,
         steps: descent.steps,
         ending,
     })
@@ -96,6 +120,8 @@ fn within_ranges(mut shares: Vec<f64>) -> Vec<f64> {
 struct Descent<'r> {
     /// Step of the differences.
     step: f64,
+    /// Error of all residuals: the root of the sum of its squares.
+    error: f64,
     of: &'r Residuals<'r>,
     shares: Vec<f64>,
     residuals: Vec<f64>,
@@ -109,8 +135,15 @@ struct Descent<'r> {
 impl Descent<'_> {
     fn go(&mut self) -> Ending {
         while self.steps < MOST_STEPS {
-            let jacobian = match differences(&self.shares, self.step, &self.residuals, self.of) {
-                Differences::Known(jacobian) => jacobian,
+            let precision = (self.step, self.error);
+            let jacobian = match differences(&self.shares, precision, &self.residuals, self.of) {
+                Differences::Known { is_too_long, .. }
+                    if is_too_long && self.step > SHORTEST_STEP =>
+                {
+                    self.step *= SHORTER;
+                    continue;
+                }
+                Differences::Known { jacobian, .. } => jacobian,
                 Differences::Unknown => return Ending::NoResiduals,
                 Differences::Interrupted => return Ending::Interrupted,
             };
@@ -143,8 +176,11 @@ impl Descent<'_> {
             let moved = step.map(|step| self.moved_by(&step));
             let stays = moved.as_ref().is_some_and(|moved| *moved == self.shares);
             // (A curvature of 0: nothing has an effect.)
-            if stays || damping > MOST_DAMPING * slopes.greatest || slopes.greatest == 0.0 {
+            if slopes.greatest == 0.0 {
                 return Some(Ending::Converged);
+            }
+            if stays || damping > MOST_DAMPING * slopes.greatest {
+                return Some(self.ending_without_a_step(slopes, &free));
             }
             let tried = match &moved {
                 None => None,
@@ -161,6 +197,24 @@ impl Descent<'_> {
             self.damping = Some((damping * self.factor).max(f64::MIN_POSITIVE));
             self.factor *= 2.0;
         }
+    }
+
+    /// Why no step improves it: the slopes predict no gain, or they do not hold.
+    fn ending_without_a_step(&self, slopes: &Slopes, free: &[bool]) -> Ending {
+        // (Directions without effect have slopes of rounding alone.)
+        let step = slopes.damped_step(NO_EFFECT * slopes.greatest, free);
+        let gain = step.map_or(f64::INFINITY, |step| slopes.predicted_gain(&step));
+        match gain <= self.small_gain() {
+            true => Ending::Converged,
+            false => Ending::Stalled,
+        }
+    }
+
+    /// Gain that is less than what residuals are known to, or without meaning for the estimates.
+    fn small_gain(&self) -> f64 {
+        let squares = 2.0 * cost(&self.residuals);
+        let noise = self.error * (squares.sqrt() + self.error);
+        noise.max(SMALL_GAIN * squares / self.residuals.len().max(1) as f64)
     }
 
     fn moved_by(&self, step: &DVector<f64>) -> Vec<f64> {

@@ -2,11 +2,12 @@
 
 use super::certainty::UNDETERMINED;
 use super::fit::Ending;
+use super::quality::{ChiSquared, Misfit};
 use super::runs_test::RunsTest;
 use crate::studies::optimize::Variable;
 
-/// Relative difference of residuals below which two fits are the same.
-const SAME: f64 = 1e-6;
+/// Variation of a constant signal, as a share of it.
+const ROUNDING: f64 = 1e-12;
 
 /// Signal of a record beside that of the best fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +20,8 @@ pub struct FittedSignal {
     pub address: String,
     /// SI unit.
     pub unit: String,
-    /// Its standard deviation (SI): 1 if none is stated.
-    pub weight: f64,
+    /// Its stated standard deviation (SI).
+    pub sigma: Option<f64>,
     /// Times (s).
     pub times: Vec<f64>,
     /// The signal of the record (SI).
@@ -29,13 +30,39 @@ pub struct FittedSignal {
     pub residuals: Vec<f64>,
     /// Whether they are random; `None`: all have one sign.
     pub test: Option<RunsTest>,
+    /// Whether they are no more than what runs are known to.
+    pub is_exact: bool,
+    /// Rows that stand out, with their multiples of the usual deviation.
+    pub outliers: Vec<(usize, f64)>,
 }
 
 impl FittedSignal {
     /// Root of the mean square of the residuals (SI).
     pub fn rms(&self) -> f64 {
         let squares: f64 = self.residuals.iter().map(|own| own * own).sum();
-        self.weight * (squares / self.residuals.len().max(1) as f64).sqrt()
+        self.weight() * (squares / self.residuals.len().max(1) as f64).sqrt()
+    }
+
+    /// What residuals are divided by (SI): 1 if no standard deviation is stated.
+    pub fn weight(&self) -> f64 {
+        self.sigma.unwrap_or(1.0)
+    }
+
+    /// Residuals over the variation of the signal about its mean, as root mean squares; infinite
+    /// for a signal that is constant.
+    pub fn unexplained(&self) -> f64 {
+        let count = self.measured.len().max(1) as f64;
+        let mean = self.measured.iter().sum::<f64>() / count;
+        let squares = self.measured.iter().map(|one| (one - mean).powi(2));
+        match squares.sum::<f64>() / count {
+            variance if variance > (ROUNDING * mean).powi(2) => self.rms() / variance.sqrt(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Whether the residuals are random, or too small to tell.
+    pub fn is_random(&self) -> bool {
+        self.is_exact || self.test.is_some_and(|test| test.is_random())
     }
 }
 
@@ -50,24 +77,63 @@ pub struct Estimate {
     pub fitted: f64,
     /// Standard error; `None`: the record says nothing of it.
     pub error: Option<f64>,
-    /// Whether the fit lies at an end of the range.
-    pub at_end: bool,
-    /// Whether another start ended as well with another value.
-    pub is_ambiguous: bool,
+    /// What the record says of it.
+    pub standing: Standing,
+}
+
+/// What a record says of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// It is determined.
+    Determined,
+    /// It is determined if others have the value at the end of their range at which the fit is.
+    Conditional,
+    /// The fit is at an end of its range.
+    AtEnd,
+    /// The standard error exceeds the value, or the number has no effect.
+    Undetermined,
+    /// Another start ended as well with another value.
+    Ambiguous,
+    /// Its standard error does not hold: the sum of squares rises otherwise than that says.
+    NotLinear,
+    /// The fit does not explain the record.
+    Misfit,
+    /// The best fit did not converge.
+    NoFit,
+}
+
+impl Standing {
+    /// The name as it is written: `determined`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Determined => "determined",
+            Self::Conditional => "conditional",
+            Self::AtEnd => "at_end",
+            Self::Undetermined => "undetermined",
+            Self::Ambiguous => "ambiguous",
+            Self::NotLinear => "not_linear",
+            Self::Misfit => "misfit",
+            Self::NoFit => "no_fit",
+        }
+    }
 }
 
 impl Estimate {
     /// Whether the record determines it.
     pub fn is_determined(&self) -> bool {
-        let is_known = self
-            .error
-            .is_some_and(|error| error <= UNDETERMINED * self.fitted.abs());
-        is_known && !self.at_end && !self.is_ambiguous
+        self.standing == Standing::Determined
     }
 
-    /// Its value and its standard error; `None`: the record does not determine it.
+    /// Whether its error is known and not greater than itself.
+    pub(super) fn is_known(&self) -> bool {
+        self.error
+            .is_some_and(|error| error <= UNDETERMINED * self.fitted.abs())
+    }
+
+    /// Its value and its standard error; `None`: the record determines it under no condition.
     pub fn value(&self) -> Option<(f64, f64)> {
-        let error = self.error.filter(|_| self.is_determined())?;
+        let has_value = matches!(self.standing, Standing::Determined | Standing::Conditional);
+        let error = self.error.filter(|_| has_value)?;
         Some((self.fitted, error))
     }
 }
@@ -84,6 +150,8 @@ pub struct StartResult {
     pub rms: Option<f64>,
     /// Why it ended.
     pub ending: Ending,
+    /// True: it is the best fit, or ended at the same values.
+    pub is_best: bool,
     /// True: it fits as well as the best one, with other values.
     pub is_rival: bool,
 }
@@ -109,8 +177,12 @@ pub struct Identification {
     pub correlated: Vec<(usize, usize, f64)>,
     /// Correlations of all pairs, row by row; empty if they are unknown.
     pub correlations: Vec<Vec<f64>>,
-    /// Standard deviation of a residual over its weight; `None`: the fit did not end.
+    /// Standard deviation of a residual over its weight; `None`: the fit did not converge.
     pub sigma: Option<f64>,
+    /// χ² of the fit; `None`: no standard deviation is stated, or the fit did not converge.
+    pub chi_squared: Option<ChiSquared>,
+    /// Why the fit does not explain the records.
+    pub misfit: Option<Misfit>,
     /// The signals.
     pub signals: Vec<FittedSignal>,
     /// The starts that were worked on, in their order.
@@ -132,18 +204,20 @@ pub struct Identification {
 }
 
 impl Identification {
-    /// Whether the best fit converged and the record determines all numbers.
+    /// Whether the best fit converged, explains the records, and these determine all numbers.
     pub fn is_answered(&self) -> bool {
-        self.ending == Ending::Converged && self.estimates.iter().all(Estimate::is_determined)
+        self.ending == Ending::Converged
+            && self.misfit.is_none()
+            && self.estimates.iter().all(Estimate::is_determined)
+    }
+
+    /// Whether the residuals of all signals are random, or too small to tell.
+    pub fn is_random(&self) -> bool {
+        self.signals.iter().all(FittedSignal::is_random)
     }
 
     /// Number of starts that ended at the best fit.
     pub fn starts_at_best(&self) -> usize {
-        let known = self.starts.iter().filter_map(|one| one.rms);
-        let best = known.fold(f64::INFINITY, f64::min);
-        let is_same = |one: &&StartResult| {
-            !one.is_rival && one.rms.is_some_and(|own| own <= best * (1.0 + SAME))
-        };
-        self.starts.iter().filter(is_same).count()
+        self.starts.iter().filter(|one| one.is_best).count()
     }
 }

@@ -1,15 +1,19 @@
 //! Fits from several starts, and what they say.
 
-use super::certainty::Certainty;
+use super::certainty::{Certainty, is_at_end};
 use super::differences::{Precision, Residuals};
 use super::fit::{Ending, Fit, fit};
-use super::result::{Change, Estimate, FittedSignal, Identification, StartResult};
+use super::quality::{ChiSquared, is_exact, linear, misfit, outliers};
+use super::result::{Change, Estimate, FittedSignal, Identification, Standing, StartResult};
 use super::runs_test::RunsTest;
 use crate::math::optimise::constrained::starts;
 use crate::studies::optimize::Variable;
 
 /// Standard errors by which two fits differ that are not the same.
 const APART: f64 = 10.0;
+
+/// Relative difference of sums of squares of which neither is the better one.
+const SAME: f64 = 1e-6;
 
 /// Least difference of such fits, as a share of the range.
 const LEAST_APART: f64 = 1e-6;
@@ -35,6 +39,8 @@ pub struct IdentificationTask {
 struct BestFit<'f> {
     fit: &'f Fit,
     certainty: Option<Certainty>,
+    /// Whether the standard error of each number holds.
+    linear: Vec<bool>,
 }
 
 impl IdentificationTask {
@@ -62,7 +68,7 @@ impl IdentificationTask {
     fn size(&self) -> f64 {
         let own = |one: &FittedSignal| {
             let squares = one.measured.iter().map(|value| value * value);
-            squares.sum::<f64>() / (one.weight * one.weight)
+            squares.sum::<f64>() / one.weight().powi(2)
         };
         self.signals.iter().map(own).sum::<f64>().sqrt()
     }
@@ -80,7 +86,7 @@ pub fn identify(task: IdentificationTask, residuals: &Residuals<'_>) -> Option<I
             is_ended.set(is_ended.get() || found.is_none());
             found
         };
-        let found = fit(place, task.precision, &watched);
+        let found = fit(place, task.size(), task.precision, &watched);
         complete = !is_ended.get();
         if complete || found.is_some() {
             fits.push(found);
@@ -89,17 +95,19 @@ pub fn identify(task: IdentificationTask, residuals: &Residuals<'_>) -> Option<I
             break;
         }
     }
-    // (A fit that did not end is worse than each that did.)
-    let rank = |fit: &Fit| (fit.ending == Ending::Interrupted, fit.cost());
-    let best = fits.iter().flatten().min_by(|one, other| {
-        let (one, other) = (rank(one), rank(other));
-        one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
-    })?;
+    let best = best_of(&fits)?;
+    let certainty = match best.ending {
+        Ending::Converged => Certainty::of(best, task.size(), task.precision),
+        Ending::Stalled | Ending::MostSteps | Ending::NoResiduals | Ending::Interrupted => None,
+    };
+    let tried = match &certainty {
+        Some(own) => linear(best, own, task.precision.error * task.size(), residuals),
+        None => Some(Vec::new()),
+    };
+    complete &= tried.is_some();
     let best = BestFit {
-        certainty: match best.ending {
-            Ending::Converged => Certainty::of(best, task.size(), task.precision),
-            Ending::MostSteps | Ending::NoResiduals | Ending::Interrupted => None,
-        },
+        linear: tried.unwrap_or_default(),
+        certainty,
         fit: best,
     };
     let count = places.len();
@@ -112,12 +120,33 @@ pub fn identify(task: IdentificationTask, residuals: &Residuals<'_>) -> Option<I
     })
 }
 
+/// The best fit: a converged one, if it is as good as the one of least squares. A fit that was ended
+/// from outside is worse than each that was not.
+fn best_of(fits: &[Option<Fit>]) -> Option<&Fit> {
+    let rank = |fit: &Fit| (fit.ending == Ending::Interrupted, fit.cost());
+    let order = |one: &&Fit, other: &&Fit| {
+        let (one, other) = (rank(one), rank(other));
+        one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
+    };
+    let least = fits.iter().flatten().min_by(order)?;
+    let is_same = |one: &&Fit| one.cost() <= least.cost() * (1.0 + SAME);
+    let converged = fits.iter().flatten().filter(is_same);
+    let converged = converged.filter(|one| one.ending == Ending::Converged);
+    Some(converged.min_by(order).unwrap_or(least))
+}
+
 /// The signals with the residuals of a fit.
-fn with_residuals(mut signals: Vec<FittedSignal>, fit: &Fit) -> Vec<FittedSignal> {
+fn with_residuals(
+    mut signals: Vec<FittedSignal>,
+    fit: &Fit,
+    precision: Precision,
+) -> Vec<FittedSignal> {
     let mut rest = fit.residuals.iter().copied();
     for signal in &mut signals {
         signal.residuals = rest.by_ref().take(signal.times.len()).collect();
         signal.test = RunsTest::of(&signal.residuals);
+        signal.is_exact = is_exact(signal, precision);
+        signal.outliers = outliers(signal);
     }
     signals
 }
@@ -130,7 +159,20 @@ fn is_as_good(task: &IdentificationTask, best: &BestFit<'_>, other: &Fit) -> boo
     // Two standard errors of one number, and what runs are known to.
     let noise = APART * task.precision.error * task.size();
     let margin = 2.0 * certainty.sigma.powi(2) + 0.5 * noise * noise;
-    other.ending == Ending::Converged && other.cost() <= best.fit.cost() + margin
+    other.cost() <= best.fit.cost() + margin
+}
+
+/// Whether a fit has the values of the best one.
+fn is_same(best: &BestFit<'_>, other: &Fit) -> bool {
+    let Some(certainty) = &best.certainty else {
+        return false;
+    };
+    let each = other.shares.iter().zip(&best.fit.shares);
+    let mut each = each.zip(&certainty.errors);
+    each.all(|((own, best), error)| {
+        let within = error.map_or(0.0, |error| APART * error);
+        (own - best).abs() <= within.max(LEAST_APART)
+    })
 }
 
 /// The numbers by which a fit that is as good differs from the best one.
@@ -156,14 +198,15 @@ fn start_results(
 ) -> Vec<StartResult> {
     let one = |(place, fit): (&Vec<f64>, &Option<Fit>)| {
         let end = fit.as_ref().map_or(place, |fit| &fit.shares);
+        let has = |wanted: &dyn Fn(&Fit) -> bool| fit.as_ref().is_some_and(wanted);
+        let is_rival = has(&|fit| differs(task, best, fit).contains(&true));
         StartResult {
             start: task.values(place),
             end: task.values(end),
             rms: fit.as_ref().map(rms),
             ending: fit.as_ref().map_or(Ending::NoResiduals, |fit| fit.ending),
-            is_rival: fit
-                .as_ref()
-                .is_some_and(|fit| differs(task, best, fit).contains(&true)),
+            is_best: has(&|fit| is_same(best, fit)),
+            is_rival,
         }
     };
     places.iter().zip(fits).map(one).collect()
@@ -184,20 +227,38 @@ fn summary(
         .flatten()
         .map(|fit| differs(&task, best, fit))
         .collect();
+    let signals = with_residuals(task.signals.clone(), best.fit, task.precision);
+    let known = best.certainty.as_ref();
+    let residuals = best.fit.residuals.len() as f64;
+    let misfit = known.and_then(|own| misfit(&signals, own.free as f64 / residuals));
+    let has_end = best.fit.shares.iter().copied().any(is_at_end);
     let estimate = |at: usize| {
         let (variable, share) = (&task.variables[at], best.fit.shares[at]);
-        let error = best.certainty.as_ref().and_then(|own| own.errors[at]);
-        Estimate {
+        let error = known.and_then(|own| own.errors[at]);
+        let mut one = Estimate {
             variable: variable.clone(),
             given: task.given[at],
             fitted: variable.value(share),
             error: error.map(|error| error * variable.slope(share).abs()),
-            at_end: share <= 0.0 || share >= 1.0,
-            is_ambiguous: rivals.iter().any(|own| own[at]),
-        }
+            standing: Standing::NoFit,
+        };
+        one.standing = match best.fit.ending {
+            Ending::Stalled | Ending::MostSteps | Ending::NoResiduals | Ending::Interrupted => {
+                Standing::NoFit
+            }
+            Ending::Converged if misfit.is_some() => Standing::Misfit,
+            Ending::Converged if is_at_end(share) => Standing::AtEnd,
+            Ending::Converged if !one.is_known() => Standing::Undetermined,
+            Ending::Converged if rivals.iter().any(|own| own[at]) => Standing::Ambiguous,
+            Ending::Converged if best.linear.get(at) != Some(&true) => Standing::NotLinear,
+            Ending::Converged if has_end => Standing::Conditional,
+            Ending::Converged => Standing::Determined,
+        };
+        one
     };
     let estimates: Vec<Estimate> = (0..task.variables.len()).map(estimate).collect();
-    let known = best.certainty.as_ref();
+    let has_sigma = signals.iter().all(|one| one.sigma.is_some());
+    let chi_squared = known.filter(|_| has_sigma);
     let rows = |own: &Certainty| {
         let rows = own.correlations.row_iter();
         rows.map(|row| row.iter().copied().collect()).collect()
@@ -207,7 +268,9 @@ fn summary(
         correlated: known.map_or_else(Vec::new, Certainty::correlated),
         correlations: known.map_or_else(Vec::new, rows),
         sigma: known.map(|own| own.sigma),
-        signals: with_residuals(task.signals, best.fit),
+        chi_squared: chi_squared.map(|own| ChiSquared::of(&best.fit.residuals, own.free as f64)),
+        misfit,
+        signals,
         starts,
         starts_requested: 0,
         ending: best.fit.ending,
@@ -228,7 +291,7 @@ fn open_directions(estimates: &[Estimate], best: &BestFit<'_>) -> Vec<Vec<Change
     let mut found: Vec<&[f64]> = Vec::new();
     for (at, one) in estimates.iter().enumerate() {
         let own = certainty.open_direction(at);
-        let is_open = !one.is_determined() && !one.at_end && !one.is_ambiguous;
+        let is_open = one.standing == Standing::Undetermined;
         if is_open && !found.contains(&own) {
             found.push(own);
         }

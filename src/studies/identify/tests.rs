@@ -47,7 +47,7 @@ fn fit_in(
         .collect();
     let residuals =
         |rows: &[Vec<f64>]| Some(rows.iter().map(|row| of(&values(row, ranges))).collect());
-    let found = fit(&start, PRECISION, &residuals)?;
+    let found = fit(&start, 1.0, PRECISION, &residuals)?;
     let at = values(&found.shares, ranges);
     Some((found, at))
 }
@@ -161,13 +161,107 @@ fn ends_of_ranges_are_kept() {
     assert_close(at[1], 1.0, 1e-10);
 }
 
+/// |p − 5| + 1 is least at its kink: slopes of either side promise more.
+#[test]
+fn a_kink_is_an_ending_of_its_own() {
+    for start in [1.0, 2.7, 7.3, 9.9] {
+        let rows = |row: &[f64]| Some(vec![(row[0] - 5.0).abs() + 1.0, 0.3, -0.2]);
+        let (found, at) = fit_in(&[[0.0, 10.0]], &[start], &rows).unwrap();
+        assert_eq!(found.ending, Ending::Stalled, "{start}: {at:?}");
+        assert!((at[0] - 5.0).abs() < 0.05, "{start}: {at:?}");
+    }
+    // A jump: the sum of squares is least just before it.
+    let rows = |row: &[f64]| match row[0] < 5.0 {
+        true => Some(vec![7.0 - row[0], 0.1]),
+        false => Some(vec![9.0, 0.1]),
+    };
+    let (found, at) = fit_in(&[[0.0, 10.0]], &[1.0], &rows).unwrap();
+    assert_eq!(found.ending, Ending::Stalled, "{at:?}");
+}
+
+/// Residuals without noise end at rounding, which is no kink.
+#[test]
+fn an_exact_record_converges() {
+    let exact = |row: &[f64]| {
+        let times = (1..=200).map(|number| 2e-5 * f64::from(number));
+        Some(
+            times
+                .map(|t| decay([row[0], row[1]], t) - decay([1e7, 0.4], t))
+                .collect(),
+        )
+    };
+    let (found, at) = fit_in(&RANGES, &[9e6, 0.2], &exact).unwrap();
+    assert_eq!(found.ending, Ending::Converged, "{at:?}");
+}
+
+/// At a bound the errors of the others are those of a fit in which the number is not sought.
+#[test]
+fn errors_at_an_end_are_those_of_the_others_alone() {
+    let noise = |at: i32| 0.01 * f64::from(at * at).sin();
+    let at = |p: f64, q: f64, t: f64| p * t + q * t * t;
+    let rows = |row: &[f64]| {
+        let own = |n: i32| {
+            let t = f64::from(n) / 40.0;
+            at(row[0], row[1], t) - at(2.0, 5.0, t) - noise(n)
+        };
+        Some((1..=40).map(own).collect())
+    };
+    let alone = |row: &[f64]| rows(&[row[0], 3.0]);
+    let (held, at_held) = fit_in(&[[0.0, 10.0], [0.0, 3.0]], &[1.0, 1.0], &rows).unwrap();
+    let (fixed, at_fixed) = fit_in(&[[0.0, 10.0]], &[1.0], &alone).unwrap();
+    assert_eq!(at_held[1], 3.0);
+    assert_close(at_held[0], at_fixed[0], 1e-9);
+    let of = |fit: &Fit| Certainty::of(fit, 1.0, PRECISION).unwrap();
+    let (held, fixed) = (of(&held), of(&fixed));
+    assert_eq!((held.errors[1], held.free), (None, fixed.free));
+    assert_close(held.errors[0].unwrap(), fixed.errors[0].unwrap(), 1e-9);
+    assert_close(held.sigma, fixed.sigma, 1e-9);
+}
+
+/// Along one standard error the sum of squares of linear residuals rises by s².
+#[test]
+fn one_error_raises_the_sum_of_squares_by_the_variance() {
+    let rows = |row: &[f64]| {
+        let own = |n: i32| {
+            let t = f64::from(n) / 40.0;
+            (row[0] - 2.0) * t + (row[1] - 5.0) * t * t - 0.1 * f64::from(n * n).sin()
+        };
+        Some((1..=40).map(own).collect())
+    };
+    let ranges = [[0.0, 10.0]; 2];
+    let (found, _) = fit_in(&ranges, &[1.0, 1.0], &rows).unwrap();
+    let certainty = Certainty::of(&found, 1.0, PRECISION).unwrap();
+    for at in 0..2 {
+        let changes = certainty.one_error(at).unwrap();
+        let moved: Vec<f64> = found
+            .shares
+            .iter()
+            .zip(&changes)
+            .map(|(own, by)| own + by)
+            .collect();
+        let own: Vec<f64> = rows(&values(&moved, &ranges)).unwrap();
+        let rise = own.iter().map(|one| one * one).sum::<f64>() - 2.0 * found.cost();
+        assert_close(rise, certainty.sigma.powi(2), 1e-6);
+    }
+    let share_of = |rows: &dyn Fn(&[f64]) -> Option<Vec<f64>>| {
+        let all =
+            |own: &[Vec<f64>]| Some(own.iter().map(|row| rows(&values(row, &ranges))).collect());
+        super::quality::linear(&found, &certainty, 1e-15, &all).unwrap()
+    };
+    assert_eq!(share_of(&rows), [true, true]);
+    // The same fit, but behind it a kink.
+    let fitted = values(&found.shares, &ranges)[0];
+    let kink = |row: &[f64]| rows(&[row[0] + 5.0 * (row[0] - fitted).max(0.0), row[1]]);
+    assert!(share_of(&kink).contains(&false));
+}
+
 #[test]
 fn what_cannot_be_computed_ends_a_fit() {
     let rows = |row: &[f64]| (row[0] < 1.0).then(|| vec![row[0] - 2.0, 0.0]);
     let (_, at) = fit_in(&[[0.0, 5.0]], &[0.5], &rows).unwrap();
     assert!(at[0] > 0.99 && at[0] < 1.0, "{at:?}");
     assert!(fit_in(&[[0.0, 5.0]], &[4.0], &rows).is_none());
-    assert!(fit(&[0.5], PRECISION, &|_| None).is_none());
+    assert!(fit(&[0.5], 1.0, PRECISION, &|_| None).is_none());
 }
 
 /// What is known when it is ended from outside is kept.
@@ -181,7 +275,7 @@ fn an_interrupted_fit_keeps_its_values() {
             (left.get() >= 0).then(|| rows.iter().map(own).collect())
         };
         let start = [0.25, 0.2];
-        let found = fit(&start, PRECISION, &rows).unwrap();
+        let found = fit(&start, size(), PRECISION, &rows).unwrap();
         assert_eq!(found.ending, Ending::Interrupted, "{calls}");
         assert_eq!(
             found.residuals,
@@ -209,4 +303,29 @@ fn runs_of_signs_are_counted() {
     );
     assert_eq!(RunsTest::of(&[1.0, 2.0]), None);
     assert_eq!(RunsTest::of(&[1.0, 0.0, -2.0]).unwrap().runs, 2);
+}
+
+/// In a great range the step of differences is too long at first for so many oscillations.
+#[test]
+fn a_great_range_has_shorter_steps() {
+    let rows = |row: &[f64]| {
+        let at = |number: i32| {
+            let time = f64::from(number) * 0.01;
+            (row[0] * time).sin() - (100.0 * time).sin() - 1e-3 * f64::from(number * number).sin()
+        };
+        Some((0..400).map(at).collect())
+    };
+    let ranges = [[0.0, 1e5]];
+    let (found, at) = fit_in(&ranges, &[100.1], &rows).unwrap();
+    assert_eq!(found.ending, Ending::Converged);
+    assert!(found.step < PRECISION.step, "{}", found.step);
+    assert!((at[0] - 100.0).abs() < 1e-3, "{at:?}");
+    // dr/dω = t·cos ωt.
+    let jacobian = found.jacobian.as_ref().unwrap();
+    for number in [17, 399] {
+        let time = f64::from(number) * 0.01;
+        let wanted = 1e5 * time * (at[0] * time).cos();
+        let own = jacobian[(number as usize, 0)];
+        assert!((own - wanted).abs() < 0.02 * 1e5 * time, "{own} {wanted}");
+    }
 }

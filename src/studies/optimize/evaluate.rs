@@ -270,7 +270,8 @@ impl OptimizationTask<'_> {
 /// Why there is no value after an end from outside.
 pub(super) const ENDED: &str = "ended before it was known";
 
-/// Whether the figures of a place with this verdict are values.
+/// Whether the figures of a place with this verdict are values. Those of a mechanism that is far off
+/// its law are not: its contact has no effect any more.
 fn has_values(verdict: Verdict) -> bool {
     match verdict {
         Verdict::InWorkingOrder
@@ -279,10 +280,11 @@ fn has_values(verdict: Verdict) -> bool {
         | Verdict::LiftOffNotJudged
         | Verdict::CreepNotJudged
         | Verdict::NotJudged
-        | Verdict::ThrownOff
         | Verdict::Resonance => true,
-        Verdict::Stopped | Verdict::NotFinished | Verdict::NumericalFailure | Verdict::Refused => {
-            false
-        }
+        Verdict::ThrownOff
+        | Verdict::Stopped
+        | Verdict::NotFinished
+        | Verdict::NumericalFailure
+        | Verdict::Refused => false,
     }
 }

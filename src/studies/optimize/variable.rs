@@ -51,6 +51,12 @@ impl Variable {
         }
         let values = units::with_common_unit(&parts).map_err(|what| wrong(&what))?;
         let [low, high] = [&values[0], &values[1]];
+        let number = |text: &str| units::number_and_unit(text)?.0.parse::<f64>().ok();
+        if number(low).is_some() && number(low) == number(high) {
+            return Err(wrong(
+                "both ends are the same, and a variable needs a range",
+            ));
+        }
         let suffix = if log { ":log" } else { "" };
         let axis = Axis::parse(&format!("{path}={low}:{high}:2{suffix}"))
             .map_err(|what| wrong(own_words(&what)))?;
@@ -161,6 +167,8 @@ mod tests {
             ("rocker.inertia", "no `=`"),
             ("rocker.inertia=1", "two or three"),
             ("rocker.inertia=2:1", "lesser"),
+            ("rocker.inertia=5:5", "both ends are the same"),
+            ("rocker.inertia=5:5.0 kg m^2", "both ends are the same"),
             ("rocker.inertia=1:2:3", "outside"),
             ("rocker.inertia=1:x", "`x` is no number"),
             ("rocker.inertia=-1:2:log", "same side of zero"),

@@ -25,6 +25,7 @@ pub(in crate::dynamics::system) struct DryWork<N> {
     /// Accelerations that are left, and shares of the limits (m).
     left: Vec<N>,
     rest: Vec<N>,
+    turned: Vec<N>,
     pub(super) share: Vec<N>,
 }
 
@@ -40,6 +41,7 @@ impl<N: Quantity> DryWork<N> {
             plain: vec![zero; count * count],
             left: vec![zero; count],
             rest: vec![zero; count],
+            turned: vec![zero; count],
             share: vec![zero; count],
         }
     }
@@ -101,7 +103,7 @@ pub(super) fn solve_held<N: Quantity>(frozen: &Frozen, work: &mut Work<N>) {
     }
     let together = factorise_held(frozen, count, work);
     for _ in 0..if together { REFINED } else { 1 } {
-        refine(frozen, count, work);
+        refine(frozen, count, together, work);
     }
     for k in 0..count {
         let weight = weight(frozen, work.dry.held[k]);
@@ -146,14 +148,17 @@ fn factorise_held<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>
     together
 }
 
-/// One round of refinement of the shares.
-fn refine<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>) {
+/// One round of refinement of the shares. Of contacts that hold the same motion the equations
+/// leave it open how they share the force: K·(K + ε)⁻² in place of (K + ε)⁻¹ keeps the rounding of
+/// what is left open from growing by 1/ε.
+fn refine<N: Quantity>(frozen: &Frozen, count: usize, together: bool, work: &mut Work<N>) {
     let DryWork {
         held,
         matrix,
         plain,
         left,
         rest,
+        turned,
         share,
         ..
     } = &mut work.dry;
@@ -166,6 +171,17 @@ fn refine<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>) {
         rest[row] = sum.scale(weight(frozen, held[row]));
     }
     substitute(matrix, &mut rest[..count]);
+    if together {
+        substitute(matrix, &mut rest[..count]);
+        for row in 0..count {
+            let mut sum = N::from(0.0);
+            for column in 0..count {
+                sum += plain[row * count + column] * rest[column];
+            }
+            turned[row] = sum.scale(weight(frozen, held[row]));
+        }
+        rest[..count].copy_from_slice(&turned[..count]);
+    }
     for (share, &change) in share.iter_mut().zip(&rest[..count]) {
         *share += change;
     }

@@ -79,6 +79,8 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
         },
         steady: None,
         optimize: None,
+        tolerance: None,
+        identify: None,
         expect: Vec::new(),
         measured: Vec::new(),
         hash: String::new(),
