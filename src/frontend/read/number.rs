@@ -154,7 +154,11 @@ impl Slot<'_> {
                 }
             };
             let is_whole = value.fract() == 0.0;
-            let code = if is_whole { "out-of-range" } else { "not-whole" };
+            let code = if is_whole {
+                "out-of-range"
+            } else {
+                "not-whole"
+            };
             self.refuse(code, message);
             return None;
         }
