@@ -18,7 +18,8 @@ pub(super) fn judge(judge: &mut Judge<'_>, look: &DrawnInstant) {
         return;
     }
     judge.mechanics.take_state(time, y, &look.modes.0);
-    for (node, friction, component) in contacts {
+    for (load, friction, component) in contacts {
+        let node = judge.system.model().loads[load].node;
         let speed = judge.mechanics.nodes[node].motion[1];
         let greatest = speed_resolved(judge, node);
         let bound = judge.bound();
@@ -36,7 +37,7 @@ pub(super) fn judge(judge: &mut Judge<'_>, look: &DrawnInstant) {
             (judge.found).include(back.max(0.0) / greatest, bound, name, what);
         }
         if state == Some(StickSlip::Stuck) {
-            let force = judge.mechanics.held_force(node).abs();
+            let force = judge.mechanics.held_force(load).abs();
             let beyond = force / friction.static_limit - 1.0;
             (judge.found).include(beyond.max(0.0), bound, name, "limit of dry friction");
         }

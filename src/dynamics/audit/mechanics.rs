@@ -316,27 +316,19 @@ impl<'s> Mechanics<'s> {
         }
     }
 
-    /// Node, numbers and component of the modes of every dry contact.
+    /// Load, numbers and component of the modes of every dry contact.
     pub(super) fn dry_contacts(&self) -> Vec<(usize, DryFriction, Option<usize>)> {
-        let loads = self.system.model().loads.iter();
-        let dry = loads.filter_map(|load| Some((load.node, *load.law.dry_friction()?)));
+        let loads = self.system.model().loads.iter().enumerate();
+        let dry = loads.filter_map(|(index, load)| Some((index, *load.law.dry_friction()?)));
         let components = dry_friction::components(self.system);
         dry.zip(components)
-            .map(|((node, friction), component)| (node, friction, component))
+            .map(|((load, friction), component)| (load, friction, component))
             .collect()
     }
 
-    /// Force of the dry friction on a node at rest, at the state looked at last.
-    pub(super) fn held_force(&self, node: usize) -> f64 {
-        let loads = self.system.model().loads.iter().zip(&self.held);
-        let own = loads.filter(|(load, _)| load.node == node && load.law.dry_friction().is_some());
-        own.map(|(_, held)| *held).fold(0.0, |greatest: f64, held| {
-            if held.abs() > greatest.abs() {
-                held
-            } else {
-                greatest
-            }
-        })
+    /// Force of a dry friction at rest, at the state looked at last.
+    pub(super) fn held_force(&self, load: usize) -> f64 {
+        self.held[load]
     }
 
     fn add_link_forces(&mut self, y: &[f64], modes: &[i64]) {
