@@ -48,7 +48,7 @@ pub(super) fn choose_method(
         Some(Method::Taylor) => match ids_with_friction(system) {
             Some(ids) => Err(vec![Fault::new(
                 "run.method",
-                format!("`taylor` cannot be used: the joint friction of {ids} has no power series"),
+                format!("`taylor` cannot be used: the friction of {ids} has no power series"),
                 "auto, dop853, dopri5, rodas5p or radau",
             )]),
             None => match system.without_series() {

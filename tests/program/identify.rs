@@ -383,7 +383,10 @@ fn residuals_are_held_against_a_stated_error() {
     // Without σ residuals have their unit.
     let (found, text) = asked(&record, &["--starts", "2"], 0);
     assert!(found["chi_squared"].is_null() && found["signals"][0]["sigma"].is_null());
-    assert!(!text.contains("over σ") && text.contains("µrad"), "{text}");
+    assert!(
+        !text.contains("over σ") && text.contains("697 nrad"),
+        "{text}"
+    );
 }
 
 /// Small errors of the model leave an estimate, without a standard error in the headline.

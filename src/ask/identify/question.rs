@@ -49,19 +49,18 @@ impl MeasuredRecord {
     }
 
     /// A record that the block of a scene names, in the folder of the scene.
-    fn beside_scene(text: &str, catalogue: &dyn Catalogue) -> Result<Self, Diagnostic> {
+    fn beside_scene(text: &str, catalogue: &dyn Catalogue) -> Result<Self, Box<Diagnostic>> {
         let (name, settings) = Self::name_and_settings(text);
         let wrong = |what: String| {
             let message = format!("the block `identify` names the record `{name}`: {what}");
             Diagnostic::error("question", message)
         };
         let (_, bytes) = catalogue.table(&name).map_err(|fault| {
-            let hints = fault.hints;
-            hints
-                .into_iter()
-                .fold(wrong(fault.message), Diagnostic::hint)
+            let hints = fault.hints.into_iter();
+            Box::new(hints.fold(wrong(fault.message), Diagnostic::hint))
         })?;
-        let text = String::from_utf8(bytes).map_err(|_| wrong("it is no UTF-8 text".to_owned()))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|_| Box::new(wrong("it is no UTF-8 text".to_owned())))?;
         Ok(Self {
             name,
             text,
@@ -89,7 +88,7 @@ impl IdentifyQuestion {
             for text in &block.record {
                 match MeasuredRecord::beside_scene(text, catalogue) {
                     Ok(record) => all.records.push(record),
-                    Err(fault) => wrong.push(fault),
+                    Err(fault) => wrong.push(*fault),
                 }
             }
             if !wrong.is_empty() {

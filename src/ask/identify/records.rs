@@ -61,10 +61,32 @@ pub(super) fn tables(
             Err(faults) => wrong.extend(faults),
         }
     }
+    wrong.extend(repeated(records));
     match wrong.is_empty() {
         true => Ok(found),
         false => Err(Diagnostics::new(sources, wrong)),
     }
+}
+
+/// Records that stand twice under the same settings: each measurement counts once.
+fn repeated(records: &[MeasuredRecord]) -> Vec<Diagnostic> {
+    let again = records.iter().enumerate().filter_map(|(index, own)| {
+        let same =
+            |other: &&MeasuredRecord| other.text == own.text && other.settings == own.settings;
+        let first = records[..index].iter().find(same)?;
+        Some((first, own))
+    });
+    again
+        .map(|(first, own)| {
+            let message = format!(
+                "the record `{}` is the same as `{}`, under the same settings",
+                own.name, first.name
+            );
+            let hint = "give each record once: counted twice, it would make the standard errors \
+                        smaller than they are";
+            Diagnostic::error("question", message).hint(hint)
+        })
+        .collect()
 }
 
 /// What is wrong with the settings of a record.

@@ -309,7 +309,6 @@ impl<'s> Judge<'s> {
             }
         }
         self.judge_contacts(look);
-        super::friction::judge(self, look);
         self.judge_sums(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {

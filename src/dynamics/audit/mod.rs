@@ -95,6 +95,9 @@ fn audit_equations(
     let mut judge = Judge::new(system, asked);
     judge.see_peaks(peaks);
     judge.judge_instants(looks, resolved);
+    for look in &looks.looks {
+        friction::judge(&mut judge, look);
+    }
     judge.judge_joints();
     judge.judge_end(looks);
     for turn in &looks.turns {

@@ -67,6 +67,9 @@ pub struct Probe {
     pub target: i64,
     /// Places of a step to look at, the last at its end.
     pub looks: usize,
+    /// True of a function that is as long as a step takes it to be smooth, whatever the method
+    /// resolves: it is looked at closer where it bends.
+    pub refined: bool,
 }
 
 impl Probe {

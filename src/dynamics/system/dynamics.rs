@@ -46,6 +46,9 @@ const TURNED: f64 = 0.01;
 /// motion of the laws turns by a radian, taken as a whole: its pieces turn some times faster.
 const LONGEST_HELD: f64 = 0.1;
 
+/// Longest step while dry friction holds something, as a share of the run.
+const LONGEST_RESTING: f64 = 0.01;
+
 /// Longest step where something follows a prescribed drive rigidly, in the time in which its
 /// usual motion turns by a radian: works and figures of it count, and the coordinates, whose
 /// error sets the step, may be at rest or of another machine.
@@ -305,9 +308,19 @@ impl Dynamics for System {
             true => f64::INFINITY,
             false => LONGEST_GIVEN * self.laws_sampled().given_time,
         };
-        match self.frozen.impacts && self.frozen.holds_any(&modes.0) {
+        let longest = match self.frozen.impacts && self.frozen.holds_any(&modes.0) {
             true => given.min(LONGEST_HELD * super::scales::quickest(self.laws_sampled())),
             false => given,
+        };
+        // (At rest no state tells how the forces change.)
+        let rests = self
+            .frozen
+            .dry
+            .iter()
+            .any(|contact| contact.is_stuck(&modes.0));
+        match rests && self.frozen.horizon.is_finite() {
+            true => longest.min(LONGEST_RESTING * self.frozen.horizon),
+            false => longest,
         }
     }
 

@@ -283,6 +283,7 @@ impl Frozen {
                     component,
                     target: OPEN,
                     looks: LOOKS,
+                    refined: false,
                 });
             }
         }

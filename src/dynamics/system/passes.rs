@@ -186,6 +186,9 @@ impl Frozen {
             return self.accelerate(state, extent, work, out);
         }
         self.accelerate(state, extent, work, out);
+        if !self.dry.is_empty() {
+            dry_friction::stand_still(self, work, out);
+        }
         if !self.heavy.is_empty() && self.couple_inertia_forces(extent, Chains::Free, work) {
             self.accelerate(state, extent, work, out);
         }

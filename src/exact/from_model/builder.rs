@@ -44,6 +44,12 @@ struct Builder<'m> {
     refusals: Vec<Refusal>,
 }
 
+/// Why a load that is dry friction is left to integration.
+fn dry_friction_reason(load: &crate::dynamics::model::Load) -> String {
+    let name = load.name.rsplit('.').next().unwrap_or(&load.name);
+    format!("its load `{name}` is dry friction, which sticks")
+}
+
 /// Takes a system apart.
 pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
     let model = system.model();
@@ -67,6 +73,13 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
         let reason = "it has several inputs, which it couples and loads by its own inertia: what \
                       drives it is integrated with it";
         builder.note_refusal(body.object, reason);
+    }
+    for load in (model.loads.iter()).filter(|load| load.law.dry_friction().is_some()) {
+        let owner = model.owner_of_load(load);
+        let mut parts = model.objects.iter();
+        if let Some(object) = parts.position(|part| part.nodes.contains(&owner)) {
+            builder.note_refusal(object, dry_friction_reason(load));
+        }
     }
     if !builder.refusals.is_empty() {
         return builder.finish();

@@ -24,7 +24,10 @@ impl Load {
         ("spring", &["rate", "preload"]),
         ("viscous", &[]),
         ("weight", &["inclination"]),
-        ("friction", &["force", "width"]),
+        (
+            "friction",
+            &["force", "width", "sliding", "static", "stribeck_speed"],
+        ),
         ("expression", &[]),
         (
             "harmonic",
@@ -94,6 +97,22 @@ impl Load {
         let mut friction = one_property("force", force);
         friction.set_property("width", width);
         Self::of("friction", friction)
+    }
+
+    /// Dry friction of sliding (N or N·m), which sticks; at rest up to a [`Self::static_limit`].
+    /// With [`Self::over`] it acts between two objects.
+    pub fn dry_friction(sliding: impl Into<Node>) -> Self {
+        Self::of("friction", one_property("sliding", sliding))
+    }
+
+    /// Greatest dry friction at rest; default that of sliding.
+    pub fn static_limit(self, force: impl Into<Node>) -> Self {
+        self.option("static", force)
+    }
+
+    /// Speed over which dry friction falls from that at rest towards that of sliding.
+    pub fn stribeck_speed(self, speed: impl Into<Node>) -> Self {
+        self.option("stribeck_speed", speed)
     }
 
     /// An expression over `t`, `phi` and `phi_dot` of the mass, `driver_phi` and

@@ -3,12 +3,8 @@
 use super::certainty::Certainty;
 use super::differences::{Precision, Residuals};
 use super::fit::Fit;
+use super::misfit::{ChiSquared, Misfit};
 use super::result::FittedSignal;
-use crate::math::probability::chi_squared_share_above;
-use serde::Serialize;
-
-/// Probability below which residuals are too great for their standard deviation.
-const IMPROBABLE: f64 = 1e-3;
 
 /// Multiple of a stated standard deviation up to which it may be the statement that is wrong.
 const FAR_ABOVE: f64 = 1.5;
@@ -32,86 +28,31 @@ const LEAST_PART: f64 = 0.1;
 /// Rise of the sum of squares over the predicted one, within which a standard error holds.
 const LINEAR: [f64; 2] = [0.4, 2.5];
 
-/// Sum of the squared residuals over their stated variances.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ChiSquared {
-    /// The sum.
-    pub value: f64,
-    /// Degrees of freedom: residuals less numbers that are sought.
-    pub degrees: f64,
-    /// Probability of as great a sum, or a greater one, if the model and the stated standard
-    /// deviations are right.
-    pub probability: f64,
-}
-
-impl ChiSquared {
-    /// Of residuals over their standard deviations.
-    pub fn of(residuals: &[f64], degrees: f64) -> Self {
-        let value = residuals.iter().map(|own| own * own).sum();
-        Self {
-            value,
-            degrees,
-            probability: chi_squared_share_above(degrees, value),
-        }
-    }
-
-    /// Residuals over their stated standard deviation.
-    pub fn ratio(&self) -> f64 {
-        (self.value / self.degrees).sqrt()
-    }
-
-    /// Whether the residuals are greater than those of a right model.
-    pub fn is_improbable(&self) -> bool {
-        self.probability < IMPROBABLE
-    }
-}
-
-/// Why a fit does not explain its records.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Misfit {
-    /// Residuals of a column are far above its stated standard deviation.
-    AboveSigma {
-        /// Column.
-        column: String,
-        /// Residuals over the stated standard deviation.
-        ratio: f64,
-    },
-    /// Residuals of a column are not random, and no small part of its variation.
-    Unexplained {
-        /// Column.
-        column: String,
-        /// Residuals over the variation of the column, as root mean squares.
-        share: f64,
-    },
-}
-
 /// Why a fit does not explain its records. `share`: degrees of freedom of a residual.
 pub(super) fn misfit(signals: &[FittedSignal], share: f64) -> Option<Misfit> {
-    let own = |one: &FittedSignal| match one.sigma {
-        Some(_) => {
-            let own = ChiSquared::of(&one.residuals, share * one.residuals.len() as f64);
-            let is_far = own.is_improbable() && own.ratio() > FAR_ABOVE;
-            is_far.then(|| own.ratio())
-        }
-        None => {
-            let is_random = one.test.is_some_and(|test| test.is_random());
-            let left = one.unexplained();
-            (!is_random && !one.is_exact && left > UNEXPLAINED).then_some(left)
-        }
+    let worst = |found: Vec<(f64, &FittedSignal)>| {
+        let worst = found
+            .into_iter()
+            .max_by(|one, other| one.0.total_cmp(&other.0));
+        worst.map(|(value, one)| (value, one.column.clone()))
     };
-    let worst = signals.iter().filter_map(|one| Some((own(one)?, one)));
-    let (value, one) = worst.max_by(|one, other| one.0.total_cmp(&other.0))?;
-    let column = one.column.clone();
-    Some(match one.sigma {
-        Some(_) => Misfit::AboveSigma {
-            column,
-            ratio: value,
-        },
-        None => Misfit::Unexplained {
-            column,
-            share: value,
-        },
-    })
+    let above = signals.iter().filter_map(|one| {
+        one.sigma?;
+        let own = ChiSquared::of(&one.residuals, share * one.residuals.len() as f64);
+        let is_far = own.is_improbable() && own.ratio() > FAR_ABOVE;
+        is_far.then(|| (own.ratio(), one))
+    });
+    if let Some((ratio, column)) = worst(above.collect()) {
+        return Some(Misfit::AboveSigma { column, ratio });
+    }
+    // (Whatever is stated: a large σ explains nothing.)
+    let left = signals.iter().filter_map(|one| {
+        let is_random = one.test.is_some_and(|test| test.is_random());
+        let left = one.unexplained();
+        (!is_random && !one.is_exact && left > UNEXPLAINED).then_some((left, one))
+    });
+    let (share, column) = worst(left.collect())?;
+    Some(Misfit::Unexplained { column, share })
 }
 
 /// Whether residuals are no more than what runs are known to.
@@ -198,8 +139,8 @@ fn part_within(shares: &[f64], changes: &[f64], sign: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{ChiSquared, Misfit, misfit, outliers, part_within};
-    use crate::studies::identify::{FittedSignal, RunsTest};
+    use super::{misfit, outliers, part_within};
+    use crate::studies::identify::{ChiSquared, FittedSignal, Misfit, RunsTest};
 
     fn signal(sigma: Option<f64>, measured: Vec<f64>, residuals: Vec<f64>) -> FittedSignal {
         FittedSignal {
@@ -253,6 +194,12 @@ mod tests {
         );
         assert!(matches!(
             misfit(&[at(0.5, 0.2)], 0.99),
+            Some(Misfit::Unexplained { share, .. }) if (share - 0.5).abs() < 0.02
+        ));
+        // A stated error that is far too large does not excuse it.
+        let stated = signal(Some(10.0), wave(200, 1.0, 0.1), wave(200, 0.05, 0.2));
+        assert!(matches!(
+            misfit(&[stated], 0.99),
             Some(Misfit::Unexplained { share, .. }) if (share - 0.5).abs() < 0.02
         ));
         assert_eq!(

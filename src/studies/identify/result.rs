@@ -2,7 +2,7 @@
 
 use super::certainty::UNDETERMINED;
 use super::fit::Ending;
-use super::quality::{ChiSquared, Misfit};
+use super::misfit::{ChiSquared, Misfit};
 use super::runs_test::RunsTest;
 use crate::studies::optimize::Variable;
 

@@ -3,7 +3,8 @@
 use super::certainty::{Certainty, is_at_end};
 use super::differences::{Precision, Residuals};
 use super::fit::{Ending, Fit, fit};
-use super::quality::{ChiSquared, is_exact, linear, misfit, outliers};
+use super::misfit::ChiSquared;
+use super::quality::{is_exact, linear, misfit, outliers};
 use super::result::{Change, Estimate, FittedSignal, Identification, Standing, StartResult};
 use super::runs_test::RunsTest;
 use crate::math::optimise::constrained::starts;

@@ -10,6 +10,12 @@ use crate::math::roots::{BISECTIONS, bisect};
 /// A probe may differ from a parabola by this part of its change.
 const UNLIKE: f64 = 0.25;
 
+/// Share by which parts of a step differ in length, and the ratio that spreads them.
+const UNEVEN: f64 = 0.4;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Most halvings of a part in which a probe bends.
+const CLOSEST: usize = 12;
+
 /// A switch that changes nothing.
 const NOTHING: EventFunction = EventFunction {
     guards: [Guard {
@@ -95,6 +101,9 @@ impl<D: Dynamics> Run<'_, D> {
         if self.fresh && begin > 0.0 {
             return Some(0.0);
         }
+        if probe.refined {
+            return self.fires_within(probe, (begin, end), y);
+        }
         let (mut before, mut low) = (None, (0.0, begin));
         for look in 1..=probe.looks {
             let s = end * look as f64 / probe.looks as f64;
@@ -114,6 +123,78 @@ impl<D: Dynamics> Run<'_, D> {
             low = high;
         }
         None
+    }
+
+    /// The same of a function that the method does not resolve: in parts of unequal length, so
+    /// that nothing periodic hides between them, and closer where it bends.
+    fn fires_within(&self, probe: &Probe, (begin, end): (f64, f64), y: &mut [f64]) -> Option<f64> {
+        let mut low = (0.0, begin);
+        for look in 1..=probe.looks {
+            let uneven = UNEVEN * ((look as f64 * GOLDEN).fract() - 0.5);
+            let share = match look == probe.looks {
+                true => 1.0,
+                false => (look as f64 + uneven) / probe.looks as f64,
+            };
+            let s = end * share;
+            let high = (s, self.value(probe, s, y));
+            if let Some(found) = self.fires_between(probe, [low, high], CLOSEST, y) {
+                return Some(found);
+            }
+            low = high;
+        }
+        None
+    }
+
+    /// Where a probe becomes positive first between two places, the first of which is not.
+    fn fires_between(
+        &self,
+        probe: &Probe,
+        [low, high]: [(f64, f64); 2],
+        closer: usize,
+        y: &mut [f64],
+    ) -> Option<f64> {
+        let mut at = |share: f64| {
+            let s = low.0 + share * (high.0 - low.0);
+            (s, self.value(probe, s, y))
+        };
+        let middle = at(0.5);
+        let quarters = [at(0.25), at(0.75)];
+        // Quarters by the parabola through the other three.
+        let [a, b, c] = [low.1, middle.1, high.1];
+        let expected = [
+            0.375 * a + 0.75 * b - 0.125 * c,
+            0.375 * c + 0.75 * b - 0.125 * a,
+        ];
+        let off = (quarters.iter().zip(expected))
+            .map(|(quarter, expected)| (quarter.1 - expected).abs())
+            .fold(0.0, f64::max);
+        let points = [low, quarters[0], middle, quarters[1], high];
+        let near = points
+            .iter()
+            .fold(f64::INFINITY, |near, p| near.min(p.1.abs()));
+        if closer > 0 && !(off <= UNLIKE * near) {
+            return self
+                .fires_between(probe, [low, middle], closer - 1, y)
+                .or_else(|| {
+                    (middle.1 <= 0.0)
+                        .then(|| self.fires_between(probe, [middle, high], closer - 1, y))
+                        .flatten()
+                });
+        }
+        for pair in points.windows(2) {
+            if pair[1].1 > 0.0 {
+                return Some(self.bisect(probe, [pair[0].0, pair[1].0], y));
+            }
+        }
+        points.windows(3).find_map(|three| {
+            let s = parabola_vertex([three[0], three[1], three[2]])?;
+            let low = if s > three[1].0 {
+                three[1].0
+            } else {
+                three[0].0
+            };
+            (self.value(probe, s, y) > 0.0).then(|| self.bisect(probe, [low, s], y))
+        })
     }
 
     /// Where a probe becomes positive between two places; just before, where there are

@@ -1,6 +1,7 @@
 //! Contacts at rest at an instant, and the combination of rest and sliding that agrees with its
 //! own forces.
 
+use super::hold::weight;
 use nalgebra::{DMatrix, DVector};
 
 /// Share by which the force of what breaks loose exceeds its limit, so that nothing stops and
@@ -35,10 +36,10 @@ impl AtRest {
             return Some(shares);
         }
         let left = &self.free + &self.mobility * &shares;
-        // The roots of the limits as weights: what holds the same motion has the same share.
-        let weight = |k: usize| self.limits[stuck[k]].sqrt();
+        let weight = |k: usize| self.weight(stuck[k]);
         let own = |row: usize, column: usize| {
-            weight(row) * self.mobility[(stuck[row], stuck[column])] / weight(column)
+            let per_force = self.mobility[(stuck[row], stuck[column])] / self.limits[stuck[column]];
+            weight(row) * per_force * weight(column)
         };
         let matrix = DMatrix::from_fn(stuck.len(), stuck.len(), own);
         let right = DVector::from_fn(stuck.len(), |k, _| -weight(k) * left[stuck[k]]);
@@ -46,11 +47,23 @@ impl AtRest {
         let least = SINGULAR * singular.singular_values.max();
         let found = singular.solve(&right, least).ok()?;
         for (k, &place) in stuck.iter().enumerate() {
-            shares[place] = found[k] / weight(k);
+            shares[place] = found[k] * weight(k) / self.limits[place];
         }
         let rest = &matrix * &found - &right;
         let held = rest.amax() <= UNHELD * right.amax();
         (held && found.iter().all(|share| share.is_finite())).then_some(shares)
+    }
+
+    /// Weight of a contact, as in an evaluation.
+    fn weight(&self, contact: usize) -> f64 {
+        let limit = self.limits[contact];
+        weight(limit, self.mobility[(contact, contact)] / limit)
+    }
+
+    /// False of a contact whose force moves nothing: in a dead centre, or where its node rests
+    /// whatever the mechanism does. It slides, with no effect, until its speed tells a direction.
+    fn grips(&self, contact: usize) -> bool {
+        self.mobility[(contact, contact)] > 0.0
     }
 
     /// True where a combination agrees with its own forces.
@@ -61,6 +74,12 @@ impl AtRest {
         };
         let mut tried = senses.to_vec();
         for k in 0..senses.len() {
+            if !self.grips(k) {
+                if senses[k] != 1 {
+                    return false;
+                }
+                continue;
+            }
             if senses[k] == 0 {
                 if shares[k].abs() > most {
                     return false;

@@ -6,8 +6,8 @@ use crate::dynamics::system::passes::{Extent, Work};
 use crate::math::quantity::Quantity;
 
 /// Share of the greatest diagonal that is added to it where several contacts are decided
-/// together, and rounds of refinement, which leave no error of it. With the roots of the limits as
-/// weights, contacts that hold the same motion share the force in the proportion of their limits.
+/// together, and rounds of refinement, which leave no error of it. With weights of their limits
+/// and ratios, contacts that hold the same motion share the force in the proportion of their limits.
 const SHARED: f64 = 1e-8;
 const REFINED: usize = 8;
 
@@ -18,7 +18,7 @@ pub(in crate::dynamics::system) struct DryWork<N> {
     pub(super) rates: Vec<Vec<N>>,
     /// Numbers of the contacts that are held.
     pub(super) held: Vec<usize>,
-    /// D·A·D of these with D the roots of their limits, then its factors (m × m).
+    /// D·A·D of these with D their weights, then its factors (m × m).
     matrix: Vec<N>,
     /// A·D of these, as it is (m × m).
     plain: Vec<N>,
@@ -26,6 +26,10 @@ pub(in crate::dynamics::system) struct DryWork<N> {
     left: Vec<N>,
     rest: Vec<N>,
     turned: Vec<N>,
+    /// True where forces of contacts at rest are in the present evaluation.
+    exact: bool,
+    /// Weights D of the contacts that are held (m).
+    weights: Vec<f64>,
     pub(super) share: Vec<N>,
 }
 
@@ -42,6 +46,8 @@ impl<N: Quantity> DryWork<N> {
             left: vec![zero; count],
             rest: vec![zero; count],
             turned: vec![zero; count],
+            exact: false,
+            weights: vec![0.0; count],
             share: vec![zero; count],
         }
     }
@@ -72,6 +78,27 @@ pub(in crate::dynamics::system) fn hold_all<N: Quantity>(
         let force = work.dry.share[k].scale(frozen.dry[index].friction.static_limit);
         push(frozen, index, force, work);
     }
+    work.dry.exact = true;
+}
+
+/// Takes the rounding of the accelerations away with which contacts hold their own coordinates: a
+/// body at rest does not creep.
+pub(in crate::dynamics::system) fn stand_still<N: Quantity>(
+    frozen: &Frozen,
+    work: &mut Work<N>,
+    out: &mut [N],
+) {
+    if !std::mem::take(&mut work.dry.exact) {
+        return;
+    }
+    for k in 0..work.dry.held.len() {
+        let contact = &frozen.dry[work.dry.held[k]];
+        let Some(coordinate) = frozen.coordinate[contact.node] else {
+            continue;
+        };
+        out[coordinate] -= work.acceleration[contact.node];
+        work.acceleration[contact.node] = N::from(0.0);
+    }
 }
 
 /// Adds a force on the node of a contact, and on all that moves it; needs its rates.
@@ -90,11 +117,17 @@ pub(super) fn solve_held<N: Quantity>(frozen: &Frozen, work: &mut Work<N>) {
     for k in 0..count {
         find_rates(frozen, work.dry.held[k], work);
     }
+    for k in 0..count {
+        let contact = work.dry.held[k];
+        let limit = frozen.dry[contact].friction.static_limit;
+        let own = mobility(frozen, [contact, contact], work).value();
+        work.dry.weights[k] = weight(limit, own);
+    }
     for row in 0..count {
         let one = work.dry.held[row];
         for column in 0..count {
             let other = work.dry.held[column];
-            let weight = weight(frozen, other);
+            let weight = work.dry.weights[column];
             work.dry.plain[row * count + column] =
                 mobility(frozen, [one, other], work).scale(weight);
         }
@@ -103,17 +136,22 @@ pub(super) fn solve_held<N: Quantity>(frozen: &Frozen, work: &mut Work<N>) {
     }
     let together = factorise_held(frozen, count, work);
     for _ in 0..if together { REFINED } else { 1 } {
-        refine(frozen, count, together, work);
+        refine(count, together, work);
     }
     for k in 0..count {
-        let weight = weight(frozen, work.dry.held[k]);
-        work.dry.share[k] = work.dry.share[k].scale(1.0 / weight);
+        // As shares of the limits.
+        let limit = frozen.dry[work.dry.held[k]].friction.static_limit;
+        work.dry.share[k] = work.dry.share[k].scale(work.dry.weights[k] / limit);
     }
 }
 
-/// Weight of a contact among those that hold the same motion: the root of its limit.
-fn weight(frozen: &Frozen, contact: usize) -> f64 {
-    frozen.dry[contact].friction.static_limit.sqrt()
+/// Weight of a contact among those that hold the same motion, by the acceleration that a unit
+/// force gives it: with it all have the same share of their limits, whatever their ratios.
+pub(super) fn weight(limit: f64, mobility: f64) -> f64 {
+    match mobility > 0.0 {
+        true => (limit / mobility.sqrt()).sqrt(),
+        false => limit.sqrt(),
+    }
 }
 
 /// Factors of the matrix of the contacts that are held; whether several are decided together.
@@ -122,22 +160,22 @@ fn factorise_held<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>
         held,
         matrix,
         plain,
+        weights,
         ..
     } = &mut work.dry;
-    let weights = |row: usize| weight(frozen, held[row]);
     let mut together = false;
     for row in 0..count {
         // The greatest diagonal among those that are decided together with it.
         let (mut greatest, mut alone) = (0.0f64, true);
         for other in 0..count {
             if frozen.dry[held[other]].set == frozen.dry[held[row]].set {
-                let diagonal = weights(other) * plain[other * count + other].value();
+                let diagonal = weights[other] * plain[other * count + other].value();
                 greatest = greatest.max(diagonal);
                 alone &= other == row;
             }
         }
         for column in 0..count {
-            matrix[row * count + column] = plain[row * count + column].scale(weights(row));
+            matrix[row * count + column] = plain[row * count + column].scale(weights[row]);
         }
         if !alone {
             matrix[row * count + row] += N::from(SHARED * greatest);
@@ -151,11 +189,11 @@ fn factorise_held<N: Quantity>(frozen: &Frozen, count: usize, work: &mut Work<N>
 /// One round of refinement of the shares. Of contacts that hold the same motion the equations
 /// leave it open how they share the force: K·(K + ε)⁻² in place of (K + ε)⁻¹ keeps the rounding of
 /// what is left open from growing by 1/ε.
-fn refine<N: Quantity>(frozen: &Frozen, count: usize, together: bool, work: &mut Work<N>) {
+fn refine<N: Quantity>(count: usize, together: bool, work: &mut Work<N>) {
     let DryWork {
-        held,
         matrix,
         plain,
+        weights,
         left,
         rest,
         turned,
@@ -168,7 +206,7 @@ fn refine<N: Quantity>(frozen: &Frozen, count: usize, together: bool, work: &mut
         for column in 0..count {
             sum += -(plain[row * count + column] * share[column]);
         }
-        rest[row] = sum.scale(weight(frozen, held[row]));
+        rest[row] = sum.scale(weights[row]);
     }
     substitute(matrix, &mut rest[..count]);
     if together {
@@ -178,7 +216,7 @@ fn refine<N: Quantity>(frozen: &Frozen, count: usize, together: bool, work: &mut
             for column in 0..count {
                 sum += plain[row * count + column] * rest[column];
             }
-            turned[row] = sum.scale(weight(frozen, held[row]));
+            turned[row] = sum.scale(weights[row]);
         }
         rest[..count].copy_from_slice(&turned[..count]);
     }
@@ -261,13 +299,13 @@ fn substitute<N: Quantity>(factors: &[N], right: &mut [N]) {
     let count = right.len();
     for row in 0..count {
         for column in 0..row {
-            right[row] = right[row] - factors[row * count + column] * right[column];
+            right[row] -= factors[row * count + column] * right[column];
         }
     }
     for row in (0..count).rev() {
         right[row] = right[row] / factors[row * count + row];
         for below in row + 1..count {
-            right[row] = right[row] - factors[below * count + row] * right[below];
+            right[row] -= factors[below * count + row] * right[below];
         }
     }
 }

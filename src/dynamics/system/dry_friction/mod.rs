@@ -25,7 +25,7 @@ mod place;
 
 pub(crate) use decide::{components, forces_at_rest};
 pub(super) use decide::{decide_on, excess, settle};
-pub(super) use hold::{DryWork, hold_all};
+pub(super) use hold::{DryWork, hold_all, stand_still};
 pub(super) use place::{faults, number, place};
 
 use super::friction::StickSlip;
@@ -91,8 +91,10 @@ impl DryContact {
 
     /// State of a contact in the modes; `None` of one whose motion is given.
     pub(super) fn state(&self, modes: &[i64]) -> Option<StickSlip> {
+        // (Motions are sampled without modes: nothing is known of a direction then.)
+        let mode = |component: usize| modes.get(component).copied().unwrap_or_default();
         self.component
-            .map(|component| StickSlip::of(modes[component]))
+            .map(|component| StickSlip::of(mode(component)))
     }
 
     /// True where it holds its node at rest.
@@ -173,6 +175,7 @@ pub(super) fn probes(frozen: &Frozen, modes: &[i64], out: &mut Vec<Probe>) {
                 component,
                 target: StickSlip::Unset.mode(),
                 looks: LOOKS,
+                refined: true,
             });
         }
     }
@@ -198,6 +201,6 @@ pub(super) fn losses<'a>(
     })
 }
 
-/// Places of a step at which a contact at rest is looked at: between them it is located by
-/// bisection where it breaks loose.
-const LOOKS: usize = 8;
+/// Parts of a step in which a contact at rest is looked at, each of them again in parts where the
+/// force bends: where it breaks loose is located by bisection.
+const LOOKS: usize = 16;

@@ -122,6 +122,10 @@ pub(in crate::dynamics::system) fn faults(frozen: &Frozen, model: &Model) -> Vec
         } else if roots().any(rubs) {
             "on what moves a linkage with `joint_friction`"
         } else {
+            if is_loop(frozen, contact.set) {
+                faults.push(loop_fault(&name(contact)));
+                continue;
+            }
             let together = frozen.dry.iter().filter(|other| other.set == contact.set);
             if together.count() <= MOST_TOGETHER {
                 continue;
@@ -138,6 +142,64 @@ pub(in crate::dynamics::system) fn faults(frozen: &Frozen, model: &Model) -> Vec
         ));
     }
     faults
+}
+
+/// True where contacts of a set close a loop: two bodies that rub on the ground and on each other,
+/// say. Which of them holds how much at rest is not determined then. Contacts between the same two
+/// nodes, or of one free body on the ground, hold the same motion and share the force.
+fn is_loop(frozen: &Frozen, set: usize) -> bool {
+    let own = frozen.dry.iter().filter(|contact| contact.set == set);
+    let mut edges: Vec<(Vec<usize>, Vec<usize>)> = own
+        .map(|contact| {
+            let free = contact.free_roots();
+            let roots: Vec<usize> = free.map(|place| contact.ancestors[place].node).collect();
+            let of_one = roots.len() == 1;
+            let drivers = drivers_of(frozen, contact.node);
+            let nodes = if of_one { Vec::new() } else { drivers };
+            (roots, sorted(nodes))
+        })
+        .collect();
+    edges.sort();
+    edges.dedup();
+    let mut roots: Vec<usize> = edges.iter().flat_map(|(roots, _)| roots.clone()).collect();
+    roots.sort_unstable();
+    roots.dedup();
+    // As a graph of bodies and the ground: without loops it has fewer edges than vertices.
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    const GROUND: usize = usize::MAX;
+    for (roots, _) in &edges {
+        let mut ends = roots.clone();
+        if ends.len() == 1 {
+            ends.push(GROUND);
+        }
+        let (touched, apart): (Vec<_>, Vec<_>) =
+            (parts.into_iter()).partition(|part| part.iter().any(|end| ends.contains(end)));
+        if touched
+            .iter()
+            .any(|part| part.iter().filter(|end| ends.contains(end)).count() > 1)
+        {
+            return true;
+        }
+        parts = apart;
+        let mut joined: Vec<usize> = touched.into_iter().flatten().chain(ends).collect();
+        joined.sort_unstable();
+        joined.dedup();
+        parts.push(joined);
+    }
+    false
+}
+
+fn sorted(mut nodes: Vec<usize>) -> Vec<usize> {
+    nodes.sort_unstable();
+    nodes
+}
+
+fn loop_fault(name: &str) -> Fault {
+    let message = "frictions that stick close a loop: which of them holds how much at rest is not \
+                   determined";
+    let hint = "leave out one of them; or give `force` and `width` in place of `sliding`: \
+                regularised friction, which creeps";
+    Fault::new(format!("{name}.friction"), message, hint)
 }
 
 /// The address of the load that a contact is.

@@ -34,6 +34,7 @@ impl Frozen {
                     component,
                     target: action.target(),
                     looks,
+                    refined: false,
                 });
             };
             match group.component {

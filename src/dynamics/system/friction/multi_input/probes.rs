@@ -56,6 +56,7 @@ impl Frozen {
                 component: several.component + 1,
                 target: action.target(),
                 looks,
+                refined: false,
             });
         };
         if several.states(modes).any(|state| state == StickSlip::Stuck) {
