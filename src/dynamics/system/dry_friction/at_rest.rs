@@ -22,6 +22,8 @@ pub(super) struct AtRest {
     pub(super) limits: Vec<f64>,
     /// Friction as sliding begins, as a share of the limit.
     pub(super) begins: Vec<f64>,
+    /// Where a contact goes whatever its force: in a dead centre, where it moves nothing.
+    pub(super) leads: Vec<Option<i8>>,
 }
 
 impl AtRest {
@@ -60,12 +62,6 @@ impl AtRest {
         weight(limit, self.mobility[(contact, contact)] / limit)
     }
 
-    /// False of a contact whose force moves nothing: in a dead centre, or where its node rests
-    /// whatever the mechanism does. It slides, with no effect, until its speed tells a direction.
-    fn grips(&self, contact: usize) -> bool {
-        self.mobility[(contact, contact)] > 0.0
-    }
-
     /// True where a combination agrees with its own forces.
     fn agrees(&self, senses: &[i8]) -> bool {
         let most = 1.0 + 0.5 * EXCESS;
@@ -74,8 +70,8 @@ impl AtRest {
         };
         let mut tried = senses.to_vec();
         for k in 0..senses.len() {
-            if !self.grips(k) {
-                if senses[k] != 1 {
+            if let Some(lead) = self.leads[k] {
+                if senses[k] != lead {
                     return false;
                 }
                 continue;
@@ -152,6 +148,7 @@ mod tests {
             free: DVector::from_row_slice(&[pull, 0.0]),
             limits: limits.to_vec(),
             begins: vec![1.0, 1.0],
+            leads: vec![None, None],
         }
     }
 
@@ -175,6 +172,7 @@ mod tests {
             free: DVector::from_row_slice(&[pull, pull]),
             limits: vec![1.0, 3.0],
             begins: vec![0.5, 0.5],
+            leads: vec![None, None],
         };
         assert_eq!(one(3.9).decide(), Ok(vec![0, 0]));
         let shares = one(3.0).shares(&[0, 0]).unwrap();

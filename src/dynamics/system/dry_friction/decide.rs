@@ -16,6 +16,10 @@ const AT_REST: f64 = 1e-13;
 /// Most that the speed of a contact that has just stopped may be off, as a share of the scale of
 /// the speeds that it is made of.
 const LEFT: f64 = 1e-6;
+/// A moment later: the time in which a speed changes by this share of its scale.
+const LATER: f64 = 1e-4;
+/// Share of the ratio a moment later below which it vanishes: a dead centre.
+const DEAD: f64 = 1e-3;
 /// Rounds in which the rounding of speeds is taken away.
 const ROUNDS: usize = 8;
 /// Speeds below this share of what they are the sum of are rest, where another contact stops.
@@ -104,10 +108,50 @@ fn bring_to_rest(
             work.acceleration[frozen.dry[contacts[k]].node]
         }),
         begins: begins.collect(),
+        leads: leads(system, &contacts, (time, y, &out), modes, &mut work),
         contacts,
         mobility,
         limits,
     }
+}
+
+/// Of every contact whose force moves nothing where it stands, in a dead centre, the side to which
+/// its node goes next: by the motion a moment later.
+fn leads(
+    system: &System,
+    contacts: &[usize],
+    (time, y, accelerations): (f64, &[f64], &[f64]),
+    modes: &[i64],
+    work: &mut Work<f64>,
+) -> Vec<Option<i8>> {
+    let frozen = &system.frozen;
+    let grip = |contact: usize, work: &mut Work<f64>| {
+        find_rates(frozen, contact, work);
+        let rates = &work.dry.rates[contact];
+        let free = frozen.dry[contact].free_roots();
+        free.map(|place| rates[place].abs()).fold(0.0, f64::max)
+    };
+    let now: Vec<f64> = contacts.iter().map(|&own| grip(own, work)).collect();
+    let count = frozen.coordinates;
+    let (u, v) = y.split_at(count);
+    let scales = &system.scales_of_state()[count..];
+    let moment = (scales.iter().zip(v).zip(accelerations))
+        .map(|((scale, v), a)| LATER * scale / (v.abs() * LATER + a.abs()))
+        .fold(f64::INFINITY, f64::min);
+    let moment = if moment.is_finite() { moment } else { 0.0 };
+    let places = u.iter().zip(v).zip(accelerations);
+    let places = places.map(|((u, v), a)| u + moment * (v + 0.5 * moment * a));
+    let speeds = v.iter().zip(accelerations).map(|(v, a)| v + moment * a);
+    let later: Vec<f64> = places.chain(speeds).collect();
+    frozen.motion(time, &later, modes, Extent::Full, work);
+    (contacts.iter().zip(now))
+        .map(|(&contact, now)| {
+            let then = grip(contact, work);
+            let speed = work.speed[frozen.dry[contact].node];
+            let lead = if speed < 0.0 { -1 } else { 1 };
+            (now <= DEAD * then || then == 0.0).then_some(lead)
+        })
+        .collect()
 }
 
 /// True where two states differ by no more than what has just stopped may be off.
