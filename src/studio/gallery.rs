@@ -168,7 +168,7 @@ mod tests {
         let count = groups.len();
         groups.sort_unstable();
         groups.dedup();
-        assert_eq!((groups.len(), count), (count, 9));
+        assert_eq!((groups.len(), count), (count, 10));
     }
 
     #[test]
