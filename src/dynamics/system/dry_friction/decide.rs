@@ -136,7 +136,7 @@ fn leads(
     let (u, v) = y.split_at(count);
     let scales = &system.scales_of_state()[count..];
     let moment = (scales.iter().zip(v).zip(accelerations))
-        .map(|((scale, v), a)| LATER * scale / (v.abs() * LATER + a.abs()))
+        .map(|((scale, v), a)| LATER * scale / (v.abs() + a.abs()))
         .fold(f64::INFINITY, f64::min);
     let moment = if moment.is_finite() { moment } else { 0.0 };
     let places = u.iter().zip(v).zip(accelerations);
