@@ -437,6 +437,60 @@ fn what_is_held_from_the_start_does_not_creep() {
 }
 
 #[test]
+fn a_crank_that_stands_in_its_dead_centre_starts() {
+    let text = r#"{ "dam": 1, "name": "friction", "objects": {
+        "main": { "kind": "drive",
+            "motor": { "inertia": 0.05, "speed": 0, "torque": { "constant": 1 } } },
+        "ram": { "kind": "slider", "input": "main", "masses": 0, "inertia": 2,
+            "position": { "slider_crank": { "crank": 0.05, "rod": 0.2 } },
+            "loads": { "gib": { "friction": { "sliding": 2, "static": 3 } } } } },
+        "run": { "duration": 1 } }"#;
+    let [one, other] =
+        [Method::Radau, Method::Dop853].map(|method| ran(&system(text), method, 1.0, 1e-9));
+    let [one, other] = [&one, &other].map(|result| figures(result, "main").end.displacement);
+    assert!(one > 1.0 && (one - other).abs() < 1e-6, "{one} {other}");
+}
+
+/// A block that rests on the ground and on a belt, which starts after a while: the stronger
+/// friction keeps it, and the other slides.
+#[test]
+fn a_block_between_ground_and_belt_goes_with_the_stronger() {
+    let text = |ground: f64, belt: f64| {
+        format!(
+            r#"{{ "dam": 1, "name": "friction", "objects": {{
+                "belt": {{ "kind": "drive", "coordinate": "sliding",
+                    "motion": {{ "expression": "t < 0.5 ? 0 : 0.2*(t - 0.5)^2" }} }},
+                "block": {{ "kind": "drive", "coordinate": "sliding",
+                    "motor": {{ "inertia": 2, "speed": 0, "force": {{ "constant": 0 }} }},
+                    "loads": {{
+                        "ground": {{ "friction": {{ "sliding": {ground} }} }},
+                        "belt": {{ "friction": {{ "sliding": {belt} }}, "over": "belt" }} }} }} }},
+                "run": {{ "duration": 1.5 }} }}"#
+        )
+    };
+    for method in [Method::Radau, Method::Dop853] {
+        let kept = ran(&system(&text(3.0, 2.0)), method, 1.5, 1e-9);
+        let own = figures(&kept, "block");
+        assert!(
+            own.end.displacement.abs() < 1e-12,
+            "{method:?} {}",
+            own.end.displacement
+        );
+        // 2 N against the way of the belt, 0.2 m in the second that it moves.
+        let lost = own.joints.expect("friction").friction_loss;
+        assert!((lost - 0.4).abs() < 1e-7, "{method:?} {lost}");
+        // The belt takes it along: 0.4 m/s² needs 0.8 N beside the 3 N of the ground.
+        let taken = ran(&system(&text(3.0, 4.0)), method, 1.5, 1e-9);
+        let own = figures(&taken, "block");
+        assert!(
+            (own.end.displacement - 0.2).abs() < 1e-6,
+            "{method:?} {}",
+            own.end.displacement
+        );
+    }
+}
+
+#[test]
 fn frictions_in_a_loop_are_refused() {
     let text = r#"{ "dam": 1, "name": "friction", "objects": {
         "a": { "kind": "drive", "motor": { "inertia": 1, "speed": 0, "torque": { "constant": 3 } },
@@ -478,6 +532,38 @@ fn two_clutches_that_stick_at_once_carry_their_shares() {
     // The second slips: a and b share what it leaves.
     near(speeds([2.1, 0.9]), [2.1, 2.1, 1.8]);
     near(speeds([1.6, 0.7]), [2.0 * 1.4, 2.0 * 0.9, 1.4]);
+}
+
+/// A crank that runs out, its rigid ram rubbing: on a dead centre the ram stops, the crank does not.
+#[test]
+fn a_rigid_ram_turns_in_its_dead_centres_and_stops_its_crank() {
+    let text = |friction: &str| {
+        format!(
+            r#"{{ "dam": 1, "name": "friction", "objects": {{
+                "main": {{ "kind": "drive",
+                    "motor": {{ "inertia": 0.05, "speed": 10, "torque": {{ "constant": 0 }} }} }},
+                "ram": {{ "kind": "slider", "input": "main", "masses": 0, "inertia": 2,
+                    "position": {{ "slider_crank": {{ "crank": 0.05, "rod": 0.2 }} }},
+                    "loads": {{ "gib": {{ "friction": {friction} }} }} }} }},
+                "run": {{ "duration": 1 }} }}"#
+        )
+    };
+    // All of ½·0.05·10² J goes into friction of 20 N; at the start the ram stands in a dead centre.
+    let dry = system(&text(r#"{ "sliding": 20, "static": 30 }"#));
+    let smooth = system(&text(r#"{ "force": 20, "width": 1e-6 }"#));
+    let smooth = ran(&smooth, Method::Radau, 3.0, 1e-10);
+    for method in [Method::Radau, Method::Dop853] {
+        let result = ran(&dry, method, 3.0, 1e-10);
+        let rubs = figures(&result, "ram").joints.expect("friction");
+        assert!(
+            (rubs.friction_loss - 2.5).abs() < 1e-7,
+            "{method:?} {}",
+            rubs.friction_loss
+        );
+        assert_eq!(rubs.standstills, 2, "{method:?}");
+        let [place, near] = [&result, &smooth].map(|run| figures(run, "main").end.displacement);
+        assert!((place - near).abs() < 1e-5, "{method:?} {place} {near}");
+    }
 }
 
 #[test]

@@ -27,14 +27,15 @@ pub(super) fn judge(judge: &mut Judge<'_>, look: &DrawnInstant) {
         let state = component.map(|component| StickSlip::of(look.modes.0[component]));
         let back = match state {
             Some(StickSlip::Stuck) => speed.abs(),
-            Some(StickSlip::Forward) => -speed,
-            Some(StickSlip::Backward) => speed,
+            Some(StickSlip::Forward) => (-speed).max(0.0),
+            Some(StickSlip::Backward) => speed.max(0.0),
             Some(StickSlip::Unset) => f64::NAN,
             None => continue,
         };
-        if greatest > 0.0 || !(back <= 0.0) {
+        // (What has no state yet is no number, and is kept as a defect.)
+        if greatest > 0.0 || back != 0.0 {
             let what = "direction of dry friction";
-            (judge.found).include(back.max(0.0) / greatest, bound, name, what);
+            (judge.found).include(back / greatest, bound, name, what);
         }
         if state == Some(StickSlip::Stuck) {
             let force = judge.mechanics.held_force(load).abs();

@@ -201,16 +201,21 @@ impl Frozen {
             roots.extend(self.root_nodes(node));
         }
         for &root in &roots {
-            all.extend(&of.force[root]);
-            all.extend(&of.mass[root]);
-            // The links of a chain's mass pull at it too.
-            let around = |chain: &&Chain| chain.nodes().contains(&root);
-            for chain in self.chains.iter().filter(around) {
-                all.extend(chain.coordinates());
-            }
+            self.collect_root(root, of, &mut all);
         }
         for root in roots {
             of.force[root].extend(&all);
+        }
+    }
+
+    /// All that the acceleration of a root depends on.
+    fn collect_root(&self, root: usize, of: &Dependences, all: &mut Set) {
+        all.extend(&of.force[root]);
+        all.extend(&of.mass[root]);
+        // The links of a chain's mass pull at it too.
+        let around = |chain: &&Chain| chain.nodes().contains(&root);
+        for chain in self.chains.iter().filter(around) {
+            all.extend(chain.coordinates());
         }
     }
 
@@ -220,12 +225,7 @@ impl Frozen {
         for roots in dry_friction::roots_of_sets(self) {
             let mut all = Set::new();
             for &root in &roots {
-                all.extend(&of.force[root]);
-                all.extend(&of.mass[root]);
-                let around = |chain: &&Chain| chain.nodes().contains(&root);
-                for chain in self.chains.iter().filter(around) {
-                    all.extend(chain.coordinates());
-                }
+                self.collect_root(root, of, &mut all);
             }
             for contact in self.dry.iter().filter(|own| own.is_moved_by(&roots)) {
                 all.extend(&of.place[contact.node]);

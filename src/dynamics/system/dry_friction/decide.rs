@@ -20,6 +20,8 @@ const LEFT: f64 = 1e-6;
 const LATER: f64 = 1e-4;
 /// Share of the ratio a moment later below which it vanishes: a dead centre.
 const DEAD: f64 = 1e-3;
+/// Share of the accelerations that forces at rest may leave before a contact is torn off.
+const TORN: f64 = 1e-6;
 /// Rounds in which the rounding of speeds is taken away.
 const ROUNDS: usize = 8;
 /// Speeds below this share of what they are the sum of are rest, where another contact stops.
@@ -39,9 +41,17 @@ pub(in crate::dynamics::system) fn excess(
     work.parting = out;
     let place = work.dry.held.iter().position(|&held| held == index);
     let share = place.map_or(0.0, |place| work.dry.share[place]);
-    match share.is_nan() {
+    if share.is_nan() {
         // Nothing moves it that its force could hold.
-        true => unheld(frozen, index, work),
+        return unheld(frozen, index, work);
+    }
+    // (Two contacts hold a body on different bodies, one of which moves off.)
+    let left = &work.dry.left[..work.dry.held.len()];
+    let size = left
+        .iter()
+        .fold(0.0, |size: f64, left| size.max(left.abs()));
+    match work.acceleration[frozen.dry[index].node].abs() > TORN * size {
+        true => 1.0,
         false => share.abs() - 1.0 - EXCESS,
     }
 }

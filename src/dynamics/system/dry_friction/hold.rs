@@ -23,7 +23,7 @@ pub(in crate::dynamics::system) struct DryWork<N> {
     /// A·D of these, as it is (m × m).
     plain: Vec<N>,
     /// Accelerations that are left, and shares of the limits (m).
-    left: Vec<N>,
+    pub(super) left: Vec<N>,
     rest: Vec<N>,
     turned: Vec<N>,
     /// True where forces of contacts at rest are in the present evaluation.

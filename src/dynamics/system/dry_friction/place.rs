@@ -161,10 +161,7 @@ fn is_loop(frozen: &Frozen, set: usize) -> bool {
         .collect();
     edges.sort();
     edges.dedup();
-    let mut roots: Vec<usize> = edges.iter().flat_map(|(roots, _)| roots.clone()).collect();
-    roots.sort_unstable();
-    roots.dedup();
-    // As a graph of bodies and the ground: without loops it has fewer edges than vertices.
+    // As a graph of bodies and the ground.
     let mut parts: Vec<Vec<usize>> = Vec::new();
     const GROUND: usize = usize::MAX;
     for (roots, _) in &edges {
