@@ -436,21 +436,6 @@ fn what_is_held_from_the_start_does_not_creep() {
     }
 }
 
-#[test]
-fn a_crank_that_stands_in_its_dead_centre_starts() {
-    let text = r#"{ "dam": 1, "name": "friction", "objects": {
-        "main": { "kind": "drive",
-            "motor": { "inertia": 0.05, "speed": 0, "torque": { "constant": 1 } } },
-        "ram": { "kind": "slider", "input": "main", "masses": 0, "inertia": 2,
-            "position": { "slider_crank": { "crank": 0.05, "rod": 0.2 } },
-            "loads": { "gib": { "friction": { "sliding": 2, "static": 3 } } } } },
-        "run": { "duration": 1 } }"#;
-    let [one, other] =
-        [Method::Radau, Method::Dop853].map(|method| ran(&system(text), method, 1.0, 1e-9));
-    let [one, other] = [&one, &other].map(|result| figures(result, "main").end.displacement);
-    assert!(one > 1.0 && (one - other).abs() < 1e-6, "{one} {other}");
-}
-
 /// A block that rests on the ground and on a belt, which starts after a while: the stronger
 /// friction keeps it, and the other slides.
 #[test]

@@ -20,6 +20,8 @@ const LEFT: f64 = 1e-6;
 const LATER: f64 = 1e-4;
 /// Share of the ratio a moment later below which it vanishes: a dead centre.
 const DEAD: f64 = 1e-3;
+/// The same, of what is nothing but rounding.
+const NOTHING: f64 = 4.0 * f64::EPSILON;
 /// Share of the accelerations that forces at rest may leave before a contact is torn off.
 const TORN: f64 = 1e-6;
 /// Rounds in which the rounding of speeds is taken away.
@@ -104,7 +106,8 @@ fn bring_to_rest(
             change_speeds(frozen, contact, impulse, &mut stopped, &work);
         }
         // (More than that is no rest: the ratio vanishes in a dead centre, and the shaft goes on.)
-        if is_rounding(system, y, &stopped) {
+        let small = is_within(system, y, &stopped, LEFT);
+        if small && !is_within(system, y, &stopped, NOTHING) {
             y.copy_from_slice(&stopped);
             frozen.evaluate(time, y, modes, Extent::Full, &mut work, &mut out);
         }
@@ -164,10 +167,10 @@ fn leads(
         .collect()
 }
 
-/// True where two states differ by no more than what has just stopped may be off.
-fn is_rounding(system: &System, one: &[f64], other: &[f64]) -> bool {
+/// True where two states differ by no more than a share of their scales.
+fn is_within(system: &System, one: &[f64], other: &[f64], share: f64) -> bool {
     let mut pairs = one.iter().zip(other).zip(system.scales_of_state());
-    pairs.all(|((one, other), scale)| (one - other).abs() <= LEFT * scale)
+    pairs.all(|((one, other), scale)| (one - other).abs() <= share * scale)
 }
 
 /// What an impulse on the node of a contact does to the speeds of the state.
@@ -298,7 +301,7 @@ fn set_out(
                 let change = -speed * f64::from(1 << round);
                 let mut turned = y.to_vec();
                 change_speeds(frozen, contact, change / mobility, &mut turned, &work);
-                if is_rounding(system, y, &turned) {
+                if is_within(system, y, &turned, LEFT) {
                     y.copy_from_slice(&turned);
                     back = true;
                 }
