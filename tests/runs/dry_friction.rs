@@ -43,7 +43,12 @@ fn ran(system: &System, method: Method, duration: f64, tolerance: f64) -> RunRes
     };
     let result = run(system, &settings, &Control::FREE, &mut []).expect("it runs");
     assert!(result.is_complete(), "{method:?}");
-    assert!(result.is_trusted(), "{method:?}");
+    assert!(
+        result.is_trusted(),
+        "{method:?} {:?} {:?}",
+        result.audit,
+        result.equations
+    );
     result
 }
 

@@ -22,8 +22,10 @@ const LATER: f64 = 1e-4;
 const DEAD: f64 = 1e-3;
 /// The same, of what is nothing but rounding.
 const NOTHING: f64 = 4.0 * f64::EPSILON;
-/// Share of the accelerations that forces at rest may leave before a contact is torn off.
+/// Share of the accelerations that forces at rest may leave before a contact is torn off, and the
+/// same of the acceleration that its limit gives: rounding, where nothing pulls at it.
 const TORN: f64 = 1e-6;
+const UNPULLED: f64 = 1e-12;
 /// Rounds in which the rounding of speeds is taken away.
 const ROUNDS: usize = 8;
 /// Speeds below this share of what they are the sum of are rest, where another contact stops.
@@ -52,7 +54,9 @@ pub(in crate::dynamics::system) fn excess(
     let size = left
         .iter()
         .fold(0.0, |size: f64, left| size.max(left.abs()));
-    match work.acceleration[frozen.dry[index].node].abs() > TORN * size {
+    let contact = &frozen.dry[index];
+    let strength = contact.friction.static_limit * mobility(frozen, [index, index], work);
+    match work.acceleration[contact.node].abs() > TORN * size + UNPULLED * strength {
         true => 1.0,
         false => share.abs() - 1.0 - EXCESS,
     }
@@ -290,10 +294,12 @@ fn set_out(
 ) {
     let frozen = &system.frozen;
     let mut work = Work::new(frozen);
+    let mut out = vec![0.0; frozen.coordinates];
     for round in 0..ROUNDS {
         let mut back = false;
         for (k, &contact) in at_rest.contacts.iter().enumerate() {
-            frozen.motion(time, y, modes, Extent::Full, &mut work);
+            // (Evaluated, not moved only: the inertias of the roots are needed.)
+            frozen.evaluate(time, y, modes, Extent::Full, &mut work, &mut out);
             find_rates(frozen, contact, &mut work);
             let speed = work.speed[frozen.dry[contact].node];
             let mobility = at_rest.mobility[(k, k)] / at_rest.limits[k];
