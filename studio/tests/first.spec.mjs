@@ -44,7 +44,7 @@ test("a folder opens with its scenes, templates and scenarios, searched together
   await expect(page.getByRole("region", { name: "Opened last" })).toHaveCount(0);
   await expect(entry(page, "lift_off.json")).toContainText("Valve train");
   await expect(entry(page, "A crank press on a motor")).toContainText("press");
-  await expect(page.locator(".gallery h3")).toHaveCount(10);
+  await expect(page.locator(".gallery h3")).toHaveCount(11);
   await expect(button(page, "Undo")).toHaveCount(0);
   await search(page).fill("clutch hard");
   await expect(page.locator(".first-page .entry")).toHaveCount(1);

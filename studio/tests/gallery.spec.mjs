@@ -46,8 +46,8 @@ test("every template and every scenario has a card with its title, by topics and
   const cards = page.locator(".card"),
     topic = page.getByLabel("topic", { exact: true }),
     status = gallery(page).getByRole("status");
-  await expect(cards).toHaveCount(98);
-  await expect(status).toHaveText("98 scenes");
+  await expect(cards).toHaveCount(102);
+  await expect(status).toHaveText("102 scenes");
   const own = card(page, "valve_train/lift_off"),
     scene = JSON.parse(server.read("scenarios/valve_train/lift_off.json"));
   await expect(own.locator("b")).toHaveText(scene.name);
@@ -63,7 +63,7 @@ test("every template and every scenario has a card with its title, by topics and
   await search(page).fill("");
   await expect(cards).toHaveCount(5);
   await topic.selectOption({ label: "all" });
-  await expect(cards).toHaveCount(98);
+  await expect(cards).toHaveCount(102);
 });
 
 test("the machine of a card in sight is drawn, moves under the pointer and the focus, and stands still else", async ({
