@@ -10,20 +10,20 @@ use dam::system::System;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-const METHODS: [Method; 4] = [
+pub(super) const METHODS: [Method; 4] = [
     Method::Dop853,
     Method::Rodas5p,
     Method::Radau,
     Method::Dopri5,
 ];
 
-fn system(text: &str) -> System {
+pub(super) fn system(text: &str) -> System {
     let document = Document::parse("friction.json", text.as_bytes()).expect(text);
     let read = document.scene(&BuiltIn, &Overrides::none()).expect(text);
     System::new(lower(&read.scene).expect(text)).expect(text)
 }
 
-fn refused(text: &str) -> String {
+pub(super) fn refused(text: &str) -> String {
     let document = Document::parse("friction.json", text.as_bytes()).expect(text);
     let faults = match document.scene(&BuiltIn, &Overrides::none()) {
         Err(faults) => faults,
@@ -35,7 +35,7 @@ fn refused(text: &str) -> String {
     format!("{faults:?}")
 }
 
-fn ran(system: &System, method: Method, duration: f64, tolerance: f64) -> RunResult {
+pub(super) fn ran(system: &System, method: Method, duration: f64, tolerance: f64) -> RunResult {
     let settings = RunSettings {
         method: Some(method),
         tolerance,
@@ -52,7 +52,7 @@ fn ran(system: &System, method: Method, duration: f64, tolerance: f64) -> RunRes
     result
 }
 
-fn figures<'r>(result: &'r RunResult, object: &str) -> &'r ObjectFigures {
+pub(super) fn figures<'r>(result: &'r RunResult, object: &str) -> &'r ObjectFigures {
     &result.figures.objects[object]
 }
 

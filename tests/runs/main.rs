@@ -7,6 +7,7 @@ mod contact;
 mod creep;
 mod dead_positions;
 mod dry_friction;
+mod engagement;
 mod examples;
 mod expressions;
 mod figures;

@@ -38,8 +38,8 @@ pub(super) fn judge(judge: &mut Judge<'_>, look: &DrawnInstant) {
             (judge.found).include(back / greatest, bound, name, what);
         }
         if state == Some(StickSlip::Stuck) {
-            let force = judge.mechanics.held_force(load).abs();
-            let beyond = force / friction.static_limit - 1.0;
+            let [force, engaged] = judge.mechanics.held_force(load);
+            let beyond = force.abs() / friction.static_limit - engaged;
             (judge.found).include(beyond.max(0.0), bound, name, "limit of dry friction");
         }
     }

@@ -13,7 +13,7 @@ use super::contact::{Contact, ContactState};
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{
-    DryFriction, Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion,
+    DryFriction, Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion, WrittenLoad,
 };
 use crate::dynamics::stated::{
     LoadStatement, StatedDrive, StatedLoad, StatedPosition, differentiate, nearest_by_turns,
@@ -78,6 +78,8 @@ pub(super) struct Mechanics<'s> {
     pub(super) pressed: Vec<ContactState>,
     /// Forces of all dry contacts at rest at that state, as the system has them: by load.
     held: Vec<f64>,
+    /// How far every dry friction is engaged at that state: by load.
+    engaged: Vec<f64>,
     scratch: Option<Box<Scratch>>,
     /// Kinetic energy at the state looked at last.
     pub(super) kinetic: f64,
@@ -100,6 +102,7 @@ impl<'s> Mechanics<'s> {
             nodes: vec![At::default(); count],
             pressed: Vec::new(),
             held: vec![0.0; model.loads.len()],
+            engaged: vec![1.0; model.loads.len()],
             scratch: (model
                 .loads
                 .iter()
@@ -305,10 +308,20 @@ impl<'s> Mechanics<'s> {
                     factor * function.force(own.0, own.1).value
                 }
                 (None, LoadLaw::Linear(law)) => law.force - law.rate * own.0 - law.damping * own.1,
-                (None, LoadLaw::Dry(friction)) => match self.held[index] {
-                    held if held.is_nan() => friction.opposing(own.1),
-                    held => held,
-                },
+                (
+                    None,
+                    LoadLaw::Dry {
+                        friction,
+                        engagement,
+                    },
+                ) => {
+                    let by = |written: &WrittenLoad| written.force(time, motion).max(0.0);
+                    self.engaged[index] = engagement.as_ref().map_or(1.0, by);
+                    match self.held[index] {
+                        held if held.is_nan() => self.engaged[index] * friction.opposing(own.1),
+                        held => held,
+                    }
+                }
                 (None, LoadLaw::Pieces { .. }) => 0.0,
             };
             self.nodes[load.node].force += force;
@@ -326,9 +339,9 @@ impl<'s> Mechanics<'s> {
             .collect()
     }
 
-    /// Force of a dry friction at rest, at the state looked at last.
-    pub(super) fn held_force(&self, load: usize) -> f64 {
-        self.held[load]
+    /// Force of a dry friction at rest, and how far it is engaged, at the state looked at last.
+    pub(super) fn held_force(&self, load: usize) -> [f64; 2] {
+        [self.held[load], self.engaged[load]]
     }
 
     fn add_link_forces(&mut self, y: &[f64], modes: &[i64]) {

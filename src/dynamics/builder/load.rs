@@ -4,9 +4,12 @@ use super::pieces::{self, Pieces};
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written::NO_NODE_YET;
 use super::{FREE_FALL, ModelBuilder, Place};
-use crate::dynamics::model::{Coordinate, DryFriction, Load, LoadLaw, NodeIndex, TrackSource};
+use crate::dynamics::model::{
+    Coordinate, DryFriction, Load, LoadLaw, NodeIndex, TrackSource, WrittenLoad,
+};
 use crate::dynamics::stated::{LoadStatement, StatedLoad};
 use crate::fault::Faults;
+use crate::math::expression::Expression;
 
 impl ModelBuilder {
     /// Lowers a load on an object with the given nodes; `driver` is the node
@@ -166,6 +169,11 @@ impl ModelBuilder {
             LoadLawSpec::Written(written) => {
                 return self.expression_law(path, written, node, driver);
             }
+            LoadLawSpec::Dry {
+                friction,
+                engagement,
+                ..
+            } => return self.dry_law(path, *friction, engagement.as_ref(), [node, driver]),
             _ => return self.smooth_law(path, spec, object, node),
         };
         match pieces {
@@ -208,7 +216,6 @@ impl ModelBuilder {
                 declared.check(&mut faults);
                 Some(declared.law())
             }
-            LoadLawSpec::Dry { friction, .. } => Some(dry_law(&mut faults, friction)),
             LoadLawSpec::SpeedTable(ref points) => {
                 faults.points("table", points, 1);
                 Some(LoadLaw::speed_table(points.clone()))
@@ -226,7 +233,8 @@ impl ModelBuilder {
             LoadLawSpec::Written(_)
             | LoadLawSpec::TimeTable(_)
             | LoadLawSpec::PositionTable { .. }
-            | LoadLawSpec::Window { .. } => None,
+            | LoadLawSpec::Window { .. }
+            | LoadLawSpec::Dry { .. } => None,
         };
         match faults.check() {
             Ok(()) => law,
@@ -236,23 +244,40 @@ impl ModelBuilder {
             }
         }
     }
-}
 
-/// Dry friction, with faults of its numbers. What never rubs is no load.
-fn dry_law(faults: &mut Faults, friction: DryFriction) -> LoadLaw {
-    faults.not_negative("friction.sliding", friction.sliding);
-    if !(friction.static_limit >= friction.sliding) {
-        let hint =
-            "friction at rest is at least that of sliding; leave out `static` where they are equal";
-        let message = "`static` is less than `sliding`";
-        faults.add("friction.static", message, hint);
-    }
-    if let Some(speed) = friction.stribeck_speed {
-        faults.positive("friction.stribeck_speed", speed);
-    }
-    match friction.static_limit == 0.0 {
-        true => LoadLaw::constant(0.0),
-        false => LoadLaw::Dry(friction),
+    /// Dry friction, with faults of its numbers. What never rubs is no load.
+    fn dry_law(
+        &mut self,
+        path: &str,
+        friction: DryFriction,
+        engagement: Option<&Expression>,
+        [node, driver]: [NodeIndex; 2],
+    ) -> Option<LoadLaw> {
+        let mut faults = Faults::default();
+        faults.not_negative("friction.sliding", friction.sliding);
+        if !(friction.static_limit >= friction.sliding) {
+            let hint = "friction at rest is at least that of sliding; leave out `static` where they are equal";
+            let message = "`static` is less than `sliding`";
+            faults.add("friction.static", message, hint);
+        }
+        if let Some(speed) = friction.stribeck_speed {
+            faults.positive("friction.stribeck_speed", speed);
+        }
+        if let Err(found) = faults.check() {
+            self.faults.absorb(path, found);
+            return None;
+        }
+        let always = engagement.and_then(|own| own.program().value.constant());
+        let friction = always.map_or(friction, |by| friction.scaled(by.max(0.0)));
+        Some(match friction.static_limit == 0.0 {
+            true => LoadLaw::constant(0.0),
+            false => LoadLaw::Dry {
+                friction,
+                engagement: engagement
+                    .filter(|_| always.is_none())
+                    .map(|expression| WrittenLoad::of(expression.clone(), 1.0, [node, driver])),
+            },
+        })
     }
 }
 

@@ -57,7 +57,11 @@ pub(super) fn load(
     let known = |load: &Load| {
         let of_nothing = |written: &WrittenLoad| written.nodes().next().is_none();
         let given = load.law.pieces().is_some()
-            || load.law.expression_load().is_some_and(of_nothing)
+            || (load
+                .law
+                .expression_load()
+                .filter(|_| load.law.dry_friction().is_none()))
+            .is_some_and(of_nothing)
             || load.law.as_constant().is_some();
         given && load.node == output
     };

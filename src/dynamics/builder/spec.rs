@@ -14,6 +14,7 @@ use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
 pub use crate::kinematics::motion::DriveMotionSpec;
 use crate::kinematics::position::PositionSpec;
+use crate::math::expression::Expression;
 
 /// A drive: the source of motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -298,6 +299,8 @@ pub enum LoadLawSpec {
     Dry {
         /// Its numbers.
         friction: DryFriction,
+        /// Factor on its forces over time and motions, 0 where it is below; `None`: always 1.
+        engagement: Option<Expression>,
         /// The object or output that it rubs on; `None`: the ground.
         over: Option<String>,
     },

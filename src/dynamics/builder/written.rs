@@ -100,29 +100,9 @@ impl ModelBuilder {
         if let Some(law) = simple(spec) {
             return Some(law);
         }
-        let at = [node, node, driver, driver, node, node];
-        let [
-            phi,
-            phi_dot,
-            driver_phi,
-            driver_phi_dot,
-            over_phi,
-            over_phi_dot,
-        ] = at;
-        Some(LoadLaw::Written(WrittenLoad {
-            expression: Arc::new(spec.expression.clone()),
-            factor: spec.factor,
-            variables: vec![
-                LoadVariable::Time,
-                LoadVariable::Displacement(phi),
-                LoadVariable::Speed(phi_dot),
-                LoadVariable::Displacement(driver_phi),
-                LoadVariable::Speed(driver_phi_dot),
-                // (Another object may not have its node yet.)
-                LoadVariable::Displacement(over_phi),
-                LoadVariable::Speed(over_phi_dot),
-            ],
-        }))
+        let expression = spec.expression.clone();
+        let written = WrittenLoad::of(expression, spec.factor, [node, driver]);
+        Some(LoadLaw::Written(written))
     }
 
     /// The track of a table or window over an object that has no node yet; `None`: no breaks.
@@ -158,9 +138,9 @@ impl ModelBuilder {
         let last = self.model.loads.len().checked_sub(1);
         if let (Some(over), Some(load)) = (over, last) {
             let law = &self.model.loads[load].law;
-            let what = match (law.expression_load(), law.dry_friction()) {
-                (Some(_), _) => ReferenceKind::Load(load),
-                (None, Some(_)) => ReferenceKind::Friction(load),
+            let what = match (law.dry_friction(), law.expression_load()) {
+                (Some(_), _) => ReferenceKind::Friction(load),
+                (None, Some(_)) => ReferenceKind::Load(load),
                 (None, None) => return,
             };
             self.waiting.push(PendingReference {
@@ -191,6 +171,7 @@ impl ModelBuilder {
 
     /// Dry friction between two nodes acts on their difference, a node without inertia.
     fn connect_friction(&mut self, load: usize, other: NodeIndex, waiting: &PendingReference) {
+        self.connect_load(load, other);
         let own = self.model.loads[load].node;
         let part = |node: NodeIndex| self.known[node].part;
         let coordinate = |node: NodeIndex| self.model.objects[part(node)].coordinate;
@@ -227,6 +208,26 @@ impl ModelBuilder {
         if let Some(written) = self.model.loads[load].law.written_mut() {
             written.variables[OVER[0].1] = LoadVariable::Displacement(node);
             written.variables[OVER[1].1] = LoadVariable::Speed(node);
+        }
+    }
+}
+
+impl WrittenLoad {
+    /// An expression on a node behind a driver.
+    pub(super) fn of(expression: Expression, factor: f64, [node, driver]: [NodeIndex; 2]) -> Self {
+        Self {
+            expression: Arc::new(expression),
+            factor,
+            variables: vec![
+                LoadVariable::Time,
+                LoadVariable::Displacement(node),
+                LoadVariable::Speed(node),
+                LoadVariable::Displacement(driver),
+                LoadVariable::Speed(driver),
+                // (Another object may not have its node yet.)
+                LoadVariable::Displacement(node),
+                LoadVariable::Speed(node),
+            ],
         }
     }
 }

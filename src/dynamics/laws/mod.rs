@@ -171,7 +171,7 @@ impl LoadLaw {
                 Some((declared, 1.0))
             }
             Self::Function { function, factor } => Some((function.declared()?, *factor)),
-            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) | Self::Dry(_) => None,
+            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) | Self::Dry { .. } => None,
         }
     }
 }
@@ -214,7 +214,10 @@ mod tests {
                 let force = function.force(displacement, speed);
                 [force.value, force.by_displacement, force.by_speed].map(|own| own * factor)
             }
-            LoadLaw::Pieces { .. } | LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Dry(_) => {
+            LoadLaw::Pieces { .. }
+            | LoadLaw::Stop(_)
+            | LoadLaw::Written(_)
+            | LoadLaw::Dry { .. } => {
                 panic!("no law over the own motion")
             }
         }

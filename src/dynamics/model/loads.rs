@@ -47,7 +47,12 @@ pub enum LoadLaw {
     /// An expression over time and motions.
     Written(WrittenLoad),
     /// Dry friction that sticks: its direction, or that it holds, is a mode.
-    Dry(DryFriction),
+    Dry {
+        /// Its numbers where it is engaged.
+        friction: DryFriction,
+        /// u: factor on its forces, 0 where it is below; `None`: always 1.
+        engagement: Option<WrittenLoad>,
+    },
     /// `factor` times a function of displacement and speed of the node.
     Function {
         /// The force.
@@ -81,32 +86,26 @@ impl LoadLaw {
             Self::Linear(_)
             | Self::Pieces { .. }
             | Self::Written(_)
-            | Self::Dry(_)
+            | Self::Dry { .. }
             | Self::Function { .. } => None,
         }
     }
 
-    /// The expression that it is.
+    /// The expression that it is, or that it is engaged by.
     pub fn expression_load(&self) -> Option<&WrittenLoad> {
         match self {
             Self::Written(written) => Some(written),
-            Self::Linear(_)
-            | Self::Pieces { .. }
-            | Self::Stop(_)
-            | Self::Dry(_)
-            | Self::Function { .. } => None,
+            Self::Dry { engagement, .. } => engagement.as_ref(),
+            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
         }
     }
 
-    /// The expression that it is, to be changed.
+    /// The same, to be changed.
     pub(crate) fn written_mut(&mut self) -> Option<&mut WrittenLoad> {
         match self {
             Self::Written(written) => Some(written),
-            Self::Linear(_)
-            | Self::Pieces { .. }
-            | Self::Stop(_)
-            | Self::Dry(_)
-            | Self::Function { .. } => None,
+            Self::Dry { engagement, .. } => engagement.as_mut(),
+            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
         }
     }
 
@@ -117,7 +116,7 @@ impl LoadLaw {
             Self::Linear(_)
             | Self::Stop(_)
             | Self::Written(_)
-            | Self::Dry(_)
+            | Self::Dry { .. }
             | Self::Function { .. } => None,
         }
     }
@@ -151,7 +150,7 @@ impl LoadLaw {
     /// table, nor of an expression, which names all that it reads.
     pub fn needs_own_motion(&self) -> bool {
         match self {
-            Self::Linear(_) | Self::Stop(_) | Self::Dry(_) | Self::Function { .. } => true,
+            Self::Linear(_) | Self::Stop(_) | Self::Dry { .. } | Self::Function { .. } => true,
             Self::Pieces { .. } | Self::Written(_) => false,
         }
     }
@@ -165,7 +164,7 @@ impl LoadLaw {
                 !pieces.iter().any(acts)
             }
             Self::Stop(_) => false,
-            Self::Dry(friction) => friction.static_limit == 0.0,
+            Self::Dry { friction, .. } => friction.static_limit == 0.0,
             Self::Written(written) => written.factor == 0.0,
             Self::Function { function, factor } => factor * function.magnitude() == 0.0,
         }
@@ -187,7 +186,13 @@ impl LoadLaw {
                 side && gives && finite(&[stop.at, stop.stiffness])
             }
             Self::Written(written) => finite(&[written.factor]),
-            Self::Dry(friction) => friction.is_possible(),
+            Self::Dry {
+                friction,
+                engagement,
+            } => {
+                let by = engagement.as_ref().map_or(1.0, |own| own.factor);
+                friction.is_possible() && by.is_finite()
+            }
             Self::Function { function, factor } => {
                 let corners = function.corners();
                 let ascending = corners.windows(2).all(|pair| pair[0].0 < pair[1].0);
@@ -211,7 +216,7 @@ impl LoadLaw {
                 let values = pieces.iter().map(|piece| piece.value.abs());
                 values.fold(0.0, f64::max)
             }
-            Self::Dry(friction) => friction.static_limit,
+            Self::Dry { friction, .. } => friction.static_limit,
             Self::Stop(_) | Self::Written(_) => 0.0,
             Self::Function { function, factor } => (factor * function.magnitude()).abs(),
         }
@@ -226,7 +231,7 @@ impl LoadLaw {
             | Self::Pieces { .. }
             | Self::Stop(_)
             | Self::Written(_)
-            | Self::Dry(_)
+            | Self::Dry { .. }
             | Self::Function { .. } => 0.0,
         }
     }
@@ -241,7 +246,11 @@ impl LoadLaw {
     ) -> Option<Self> {
         match &mut self {
             Self::Pieces { track, .. } => *track = tracks[*track]?,
-            Self::Written(written) => {
+            Self::Written(written)
+            | Self::Dry {
+                engagement: Some(written),
+                ..
+            } => {
                 for (index, variable) in written.variables.iter_mut().enumerate() {
                     let read = written.expression.program().reads(index);
                     if let LoadVariable::Displacement(node) | LoadVariable::Speed(node) = variable {
@@ -250,7 +259,7 @@ impl LoadLaw {
                     }
                 }
             }
-            Self::Linear(_) | Self::Stop(_) | Self::Dry(_) | Self::Function { .. } => {}
+            Self::Linear(_) | Self::Stop(_) | Self::Dry { .. } | Self::Function { .. } => {}
         }
         Some(self)
     }
@@ -258,23 +267,31 @@ impl LoadLaw {
     /// True where it looks at the time.
     pub fn needs_time(&self, tracks: &[Track]) -> bool {
         match self {
-            Self::Written(written) => written.needs_time(),
+            Self::Written(written)
+            | Self::Dry {
+                engagement: Some(written),
+                ..
+            } => written.needs_time(),
             Self::Pieces { track, .. } => {
                 let track = tracks.get(*track);
                 track.is_some_and(|track| track.source == TrackSource::Time)
             }
-            Self::Linear(_) | Self::Stop(_) | Self::Dry(_) | Self::Function { .. } => false,
+            Self::Linear(_) | Self::Stop(_) | Self::Dry { .. } | Self::Function { .. } => false,
         }
     }
 
     /// The nodes whose motion an expression reads; of other laws none: a table has its track.
     pub fn read_nodes(&self) -> Vec<NodeIndex> {
         match self {
-            Self::Written(written) => written.nodes().collect(),
+            Self::Written(written)
+            | Self::Dry {
+                engagement: Some(written),
+                ..
+            } => written.nodes().collect(),
             Self::Linear(_)
             | Self::Pieces { .. }
             | Self::Stop(_)
-            | Self::Dry(_)
+            | Self::Dry { .. }
             | Self::Function { .. } => Vec::new(),
         }
     }
@@ -309,7 +326,16 @@ impl LoadLaw {
                 let piece = pieces.get(index.min(pieces.len().checked_sub(1)?))?;
                 Some(piece.value + piece.slope * (x - shift - piece.start))
             }
-            Self::Dry(friction) => Some(friction.opposing(speed)),
+            Self::Dry {
+                friction,
+                engagement,
+            } => {
+                let engaged = match engagement {
+                    None => 1.0,
+                    Some(written) => engaged_part(written, time, motion)?,
+                };
+                Some(engaged * friction.opposing(speed))
+            }
             Self::Stop(_) => None,
         }
     }
@@ -317,7 +343,7 @@ impl LoadLaw {
     /// The dry friction that it is.
     pub fn dry_friction(&self) -> Option<&DryFriction> {
         match self {
-            Self::Dry(friction) => Some(friction),
+            Self::Dry { friction, .. } => Some(friction),
             Self::Linear(_)
             | Self::Pieces { .. }
             | Self::Stop(_)
@@ -367,7 +393,7 @@ impl LoadLaw {
             | Self::Pieces { .. }
             | Self::Stop(_)
             | Self::Written(_)
-            | Self::Dry(_)
+            | Self::Dry { .. }
             | Self::Function { .. } => None,
         }
     }
@@ -380,7 +406,7 @@ impl LoadLaw {
             | Self::Pieces { .. }
             | Self::Stop(_)
             | Self::Written(_)
-            | Self::Dry(_) => None,
+            | Self::Dry { .. } => None,
         }
     }
 
@@ -390,7 +416,7 @@ impl LoadLaw {
         match self {
             Self::Linear(own) => own.damping != 0.0,
             Self::Pieces { .. } | Self::Stop(_) => false,
-            Self::Dry(_) => true,
+            Self::Dry { .. } => true,
             Self::Written(written) => written.needs_speed(),
             Self::Function { function, .. } => function.needs_speed(),
         }
@@ -402,7 +428,7 @@ impl LoadLaw {
         match self {
             Self::Linear(own) => own.running_speed(),
             Self::Function { function, .. } => function.running_speed(),
-            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) | Self::Dry(_) => None,
+            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) | Self::Dry { .. } => None,
         }
     }
 
@@ -421,11 +447,22 @@ impl LoadLaw {
                 }
             }
             Self::Stop(stop) => stop.at *= by,
-            Self::Dry(friction) => *friction = friction.scaled(by),
+            Self::Dry { friction, .. } => *friction = friction.scaled(by),
             Self::Written(written) => written.factor *= by,
             Self::Function { factor, .. } => *factor *= by,
         }
     }
+}
+
+/// The part of itself that a friction is engaged by at a time; `None`: a motion is not known.
+fn engaged_part(
+    written: &WrittenLoad,
+    time: f64,
+    motion: impl Fn(NodeIndex) -> Option<(f64, f64)>,
+) -> Option<f64> {
+    let known = written.nodes().all(|node| motion(node).is_some());
+    let read = |node| motion(node).unwrap_or((0.0, 0.0));
+    known.then(|| written.force(time, read).max(0.0))
 }
 
 impl LinearLoad {

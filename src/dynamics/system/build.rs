@@ -299,7 +299,15 @@ impl<'a> Builder<'a> {
                     written = Some(FrozenExpression::new(own, load.node, &mut self.frozen));
                     None
                 }
-                LoadLaw::Dry(_) => {
+                LoadLaw::Dry { engagement, .. } => {
+                    written = engagement.as_ref().map(|own| {
+                        // (It pulls nothing back.)
+                        let engaged = FrozenExpression::new(own, load.node, &mut self.frozen);
+                        FrozenExpression {
+                            rate: 0.0,
+                            ..engaged
+                        }
+                    });
                     self.frozen.dry[placed].load = self.frozen.loads.len();
                     dry = Some(placed);
                     placed += 1;

@@ -20,7 +20,7 @@ pub(super) struct FrozenLoad {
     pub(super) dry: Option<usize>,
     /// False for a function of which no power series is known.
     pub(super) has_series: bool,
-    /// Of [`LoadLaw::Written`]: the expression.
+    /// Of [`LoadLaw::Written`]: the expression. Of [`LoadLaw::Dry`] that by which it is engaged.
     pub(super) written: Option<FrozenExpression>,
 }
 
@@ -62,7 +62,7 @@ impl FrozenLoad {
             }
             // (The force of a stop and of dry friction depends on a mode, that of an expression
             // on other nodes.)
-            LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Dry(_) => N::from(0.0),
+            LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Dry { .. } => N::from(0.0),
             LoadLaw::Pieces { pieces, .. } => match &self.argument {
                 Some(axis) => {
                     let (x, segment) = argument(axis);

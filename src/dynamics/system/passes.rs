@@ -312,7 +312,11 @@ impl Frozen {
             return stop.force(modes[stop.component], displacement, speed);
         }
         if let Some(dry) = load.dry {
-            return self.dry[dry].sliding_force(speed, modes);
+            let sliding = self.dry[dry].sliding_force(speed, modes);
+            return match &load.written {
+                None => sliding,
+                Some(_) => sliding * dry_friction::engagement(self, dry, (time, modes), work),
+            };
         }
         if let Some(written) = &load.written {
             return written.force(time, modes, work);

@@ -132,11 +132,11 @@ fn carried_loads(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
     let mut answering = vec![0.0; carried.len()];
     for load in &frozen.loads {
         let force = match &load.written {
-            Some(written) => written.magnitude(|node| {
+            Some(written) if load.dry.is_none() => written.magnitude(|node| {
                 let range = &ranges[node];
                 [range.displacement, range.speed]
             }),
-            None => magnitude(load, &ranges[load.node]),
+            _ => magnitude(load, &ranges[load.node]),
         };
         let force = if force.is_finite() { force } else { 0.0 };
         // What only answers to the motion cannot deflect a chain by more than its law moves.
@@ -185,7 +185,7 @@ fn carried_loads(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
 /// The part of a load's magnitude, `all`, with which it answers to a node's motion: that of
 /// springs and dampers.
 fn answer(load: &FrozenLoad, all: f64, range: &Range) -> f64 {
-    if let Some(written) = &load.written {
+    if let Some(written) = load.written.as_ref().filter(|_| load.dry.is_none()) {
         // What it is beyond its force at rest comes of the motion.
         return all - written.magnitude(|_| [0.0; 2]);
     }
@@ -208,7 +208,8 @@ fn nominal_speed(frozen: &Frozen, node: usize, given: f64) -> f64 {
         return speed;
     }
     // What an expression drives it with within a turn, at rest.
-    let written = frozen.loads.iter().filter(|load| load.node == node);
+    let own = |load: &&FrozenLoad| load.node == node && load.dry.is_none();
+    let written = frozen.loads.iter().filter(own);
     let written = written.filter_map(|load| load.written.as_ref());
     let written: f64 = written.map(|own| own.magnitude(|_| [PI, 0.0])).sum();
     let force = frozen.constant_force[node].abs() + written;

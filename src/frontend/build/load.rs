@@ -115,6 +115,12 @@ impl Load {
         self.option("stribeck_speed", speed)
     }
 
+    /// Factor on a dry friction over `t` and motions, by which a clutch or brake is pressed; 0
+    /// where it is below.
+    pub fn engagement(self, expression: impl Into<Node>) -> Self {
+        self.option("engagement", expression)
+    }
+
     /// An expression over `t`, `phi` and `phi_dot` of the mass, `driver_phi` and
     /// `driver_phi_dot`, in s, rad or m: `"120*sin(2*pi*5*t)"`; with a [`Self::unit`], and
     /// [`Self::over`] another object.

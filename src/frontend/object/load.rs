@@ -121,6 +121,7 @@ fn read_law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<Lo
     let force = own.force();
     let axis = axis(fields, on, context);
     let any = |wanted: QuantityChoice| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
+    let names = written_laws::names(on, axis);
     let mut law = fields.one_of("its law");
     law.case("constant", "Constant force W", |slot| {
         any(force)(slot).map(LoadLawSpec::Constant)
@@ -143,7 +144,7 @@ fn read_law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<Lo
     for own_law in laws::OF_LOADS {
         law.case(own_law.key, own_law.doc, |slot| {
             match own_law.key == laws::FRICTION.key {
-                true => friction::read(slot, own),
+                true => friction::read(slot, own, &names),
                 false => declared(slot, own_law, own).map(LoadLawSpec::Declared),
             }
         });

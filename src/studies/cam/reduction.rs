@@ -205,7 +205,7 @@ impl<'m> Reduction<'m> {
                     self.notes
                         .push(format!("{} (friction) is not counted", load.name));
                 }
-                LoadLaw::Dry(_) => {
+                LoadLaw::Dry { .. } => {
                     self.notes
                         .push(format!("{} (friction) is not counted", load.name));
                 }
@@ -408,7 +408,7 @@ impl<'m> Reduction<'m> {
                 }
                 // (What is not summed up here was refused, or is told as left out.)
                 LoadLaw::Stop(_)
-                | LoadLaw::Dry(_)
+                | LoadLaw::Dry { .. }
                 | LoadLaw::Written(_)
                 | LoadLaw::Function { .. } => {}
             }

@@ -414,7 +414,10 @@ impl Rhythms {
                 self.never(&load.name, STOPPED);
             }
             // What depends on nothing, on a speed, or on a displacement that comes back.
-            LoadLaw::Linear(_) | LoadLaw::Stop(_) | LoadLaw::Dry(_) | LoadLaw::Function { .. } => {}
+            LoadLaw::Linear(_)
+            | LoadLaw::Stop(_)
+            | LoadLaw::Dry { .. }
+            | LoadLaw::Function { .. } => {}
         }
     }
 

@@ -7,6 +7,8 @@ use nalgebra::{DMatrix, DVector};
 /// Share by which the force of what breaks loose exceeds its limit, so that nothing stops and
 /// starts by rounding; half of it where a contact is decided.
 pub(super) const EXCESS: f64 = 1e-10;
+/// Share of a limit that is nothing but rounding, where a friction is not engaged.
+pub(super) const UNFELT: f64 = 1e-14;
 /// Share of the accelerations that holding forces may leave.
 const UNHELD: f64 = 1e-9;
 /// Singular values below this share of the greatest are zero.
@@ -20,6 +22,8 @@ pub(super) struct AtRest {
     /// Accelerations without their forces.
     pub(super) free: DVector<f64>,
     pub(super) limits: Vec<f64>,
+    /// How far they are engaged.
+    pub(super) engaged: Vec<f64>,
     /// Friction as sliding begins, as a share of the limit.
     pub(super) begins: Vec<f64>,
     /// Where a contact goes whatever its force: in a dead centre, where it moves nothing.
@@ -64,7 +68,7 @@ impl AtRest {
 
     /// True where a combination agrees with its own forces.
     fn agrees(&self, senses: &[i8]) -> bool {
-        let most = 1.0 + 0.5 * EXCESS;
+        let most = |k: usize| self.engaged[k] * (1.0 + 0.5 * EXCESS) + UNFELT;
         let Some(shares) = self.shares(senses) else {
             return false;
         };
@@ -77,7 +81,7 @@ impl AtRest {
                 continue;
             }
             if senses[k] == 0 {
-                if shares[k].abs() > most {
+                if shares[k].abs() > most(k) {
                     return false;
                 }
                 continue;
@@ -85,7 +89,7 @@ impl AtRest {
             // What slides is what could not be held.
             tried[k] = 0;
             let breaks = match self.shares(&tried) {
-                Some(shares) => -f64::from(senses[k]) * shares[k] > most,
+                Some(shares) => -f64::from(senses[k]) * shares[k] > most(k),
                 None => self.acceleration(k, senses) * f64::from(senses[k]) > 0.0,
             };
             tried[k] = senses[k];
@@ -147,6 +151,7 @@ mod tests {
             mobility: mobility * DMatrix::from_diagonal(&DVector::from_row_slice(&limits)),
             free: DVector::from_row_slice(&[pull, 0.0]),
             limits: limits.to_vec(),
+            engaged: vec![1.0, 1.0],
             begins: vec![1.0, 1.0],
             leads: vec![None, None],
         }
@@ -171,6 +176,7 @@ mod tests {
             mobility: DMatrix::from_row_slice(2, 2, &[1.0, 3.0, 1.0, 3.0]),
             free: DVector::from_row_slice(&[pull, pull]),
             limits: vec![1.0, 3.0],
+            engaged: vec![1.0, 1.0],
             begins: vec![0.5, 0.5],
             leads: vec![None, None],
         };

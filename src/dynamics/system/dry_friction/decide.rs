@@ -1,8 +1,8 @@
 //! Which contacts stick, and which slide to which side, where one stops or breaks loose.
 
-use super::DryContact;
-use super::at_rest::{AtRest, EXCESS, SINGULAR};
+use super::at_rest::{AtRest, EXCESS, SINGULAR, UNFELT};
 use super::hold::{find_rates, mobility, root_mass};
+use super::{DryContact, engagement};
 use crate::dynamics::integrate::PhysicalStop;
 use crate::dynamics::system::friction::StickSlip;
 use crate::dynamics::system::frozen::Frozen;
@@ -58,7 +58,10 @@ pub(in crate::dynamics::system) fn excess(
     let strength = contact.friction.static_limit * mobility(frozen, [index, index], work);
     match work.acceleration[contact.node].abs() > TORN * size + UNPULLED * strength {
         true => 1.0,
-        false => share.abs() - 1.0 - EXCESS,
+        false => {
+            let engaged = engagement(frozen, index, (time, modes), work);
+            share.abs() - engaged * (1.0 + EXCESS) - UNFELT
+        }
     }
 }
 
@@ -120,11 +123,19 @@ fn bring_to_rest(
         let friction = &frozen.dry[contact].friction;
         friction.at_speed(0.0)[0] / friction.static_limit
     });
+    let engaged = contacts
+        .iter()
+        .map(|&contact| engagement(frozen, contact, (time, modes), &work));
+    let engaged: Vec<f64> = engaged.collect();
     AtRest {
         free: DVector::from_fn(count, |k, _| {
             work.acceleration[frozen.dry[contacts[k]].node]
         }),
-        begins: begins.collect(),
+        begins: begins
+            .zip(&engaged)
+            .map(|(begins, by)| begins * by)
+            .collect(),
+        engaged,
         leads: leads(system, &contacts, (time, y, &out), modes, &mut work),
         contacts,
         mobility,

@@ -30,6 +30,7 @@ pub(super) use place::{faults, number, place};
 
 use super::friction::StickSlip;
 use super::frozen::Frozen;
+use super::passes::Work;
 use crate::dynamics::integrate::{EventFunction, Guard, Probe};
 use crate::dynamics::model::DryFriction;
 use crate::math::quantity::Quantity;
@@ -120,6 +121,23 @@ impl DryContact {
     }
 }
 
+/// How far a contact is engaged: u ≥ 0.
+pub(super) fn engagement<N: Quantity>(
+    frozen: &Frozen,
+    index: usize,
+    (time, modes): (N, &[i64]),
+    work: &Work<N>,
+) -> N {
+    let Some(written) = &frozen.loads[frozen.dry[index].load].written else {
+        return N::from(1.0);
+    };
+    let engaged = written.force(time, modes, work);
+    match engaged.value() <= 0.0 {
+        true => N::from(0.0),
+        false => engaged,
+    }
+}
+
 /// Signals whose rates end a sliding.
 pub(super) fn watch(frozen: &Frozen, modes: &[i64], out: &mut Vec<EventFunction>) {
     for contact in &frozen.dry {
@@ -190,7 +208,7 @@ pub(super) fn has_component(frozen: &Frozen, component: usize) -> bool {
 pub(super) fn losses<'a>(
     frozen: &'a Frozen,
     modes: &'a [i64],
-    work: &'a super::passes::Work<f64>,
+    work: &'a Work<f64>,
 ) -> impl Iterator<Item = (usize, f64)> + 'a {
     frozen.dry.iter().map(move |contact| {
         let loss = match contact.is_stuck(modes) {

@@ -270,7 +270,7 @@ impl Frozen {
                     }),
                     // (Systems with such a function are not expanded; the others are above.)
                     (LoadLaw::Function { .. }, None)
-                    | (LoadLaw::Written(_) | LoadLaw::Stop(_) | LoadLaw::Dry(_), _) => 0.0,
+                    | (LoadLaw::Written(_) | LoadLaw::Stop(_) | LoadLaw::Dry { .. }, _) => 0.0,
                 }
             };
             taylor.force[load.node][order] += force;

@@ -54,7 +54,7 @@ impl<'m> Builder<'m> {
             LoadLaw::Stop(_) => {
                 self.refuse_load(load, on, "presses on one side alone, at a place of its own");
             }
-            LoadLaw::Dry(_) => self.refuse_load(load, on, "is dry friction, which sticks"),
+            LoadLaw::Dry { .. } => self.refuse_load(load, on, "is dry friction, which sticks"),
             LoadLaw::Written(written) => self.add_expression_load(load, on, written),
             LoadLaw::Function { function, .. } => {
                 self.refuse_load(load, on, function.why_not_linear());

@@ -1,11 +1,14 @@
 //! Friction on a mass: dry, which sticks, or regularised, which creeps.
 
 use super::read_number;
+use crate::dynamics::builder::written::Names;
 use crate::dynamics::laws::{FRICTION, LawInstance};
 use crate::dynamics::model::DryFriction;
 use crate::frontend::object::measures::Measures;
 use crate::frontend::object::spec::LoadLawSpec;
+use crate::frontend::object::written;
 use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::math::expression::Expression;
 
 /// Which law it is, with the force of sliding.
 enum Kind {
@@ -18,10 +21,11 @@ struct Others {
     most: Option<f64>,
     stribeck_speed: Option<f64>,
     width: Option<f64>,
+    engagement: Option<Expression>,
 }
 
 /// Reads either law: `sliding` stands for friction that sticks, `force` for the regularised one.
-pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<LoadLawSpec> {
+pub(super) fn read(slot: Slot<'_>, own: Measures, names: &Names) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let [force, width] = FRICTION.parameters else {
             return None;
@@ -49,19 +53,25 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<LoadLawSpec> {
         });
         let doc = "With `force`: speed at which 76 % of the force is reached";
         let width = fields.maybe(width.key, doc, |slot| read_number(slot, width, own));
+        let doc = "With `sliding`: factor on all its forces, 0 where it is below: an expression as \
+                   of a load, \"t < 0.2 ? 0 : 1\", by which a clutch or a brake is pressed";
+        let engagement = fields.maybe("engagement", doc, |slot| {
+            written::read_expression(slot, names)
+        });
         let others = Others {
+            engagement: engagement?,
             most: most?,
             stribeck_speed: stribeck_speed?,
             width: width?,
         };
         match kind? {
-            Kind::Dry(sliding) => dry(fields, sliding, &others),
+            Kind::Dry(sliding) => dry(fields, sliding, others),
             Kind::Regularised(force) => regularised(fields, force, &others),
         }
     })
 }
 
-fn dry(fields: &mut Fields<'_>, sliding: f64, others: &Others) -> Option<LoadLawSpec> {
+fn dry(fields: &mut Fields<'_>, sliding: f64, others: Others) -> Option<LoadLawSpec> {
     if others.width.is_some() {
         let message = "friction that sticks has no `width`";
         let hint = "remove `width`, or give `force` in place of `sliding`: regularised friction, \
@@ -88,17 +98,21 @@ fn dry(fields: &mut Fields<'_>, sliding: f64, others: &Others) -> Option<LoadLaw
         static_limit: others.most.unwrap_or(sliding),
         stribeck_speed: others.stribeck_speed,
     };
-    let over = None;
-    Some(LoadLawSpec::Dry { friction, over })
+    Some(LoadLawSpec::Dry {
+        friction,
+        engagement: others.engagement,
+        over: None,
+    })
 }
 
 fn regularised(fields: &mut Fields<'_>, force: f64, others: &Others) -> Option<LoadLawSpec> {
     let dry = [
         ("static", others.most.is_some()),
         ("stribeck_speed", others.stribeck_speed.is_some()),
+        ("engagement", others.engagement.is_some()),
     ];
     if let Some((key, _)) = dry.into_iter().find(|(_, given)| *given) {
-        let message = format!("regularised friction has no `{key}`: it never sticks");
+        let message = format!("regularised friction has no `{key}`");
         let hint = "give `sliding` in place of `force` and `width`";
         fields.forbid(key, &message, hint);
         return None;

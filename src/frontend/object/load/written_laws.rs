@@ -18,11 +18,7 @@ const AMBIENT: f64 = 101_325.0;
 /// Laws that are expressions, or are made of one.
 pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
     let own = on.own_measures();
-    let mut names = builder::OWN.to_vec();
-    if !matches!(on, On::Rotor(_)) {
-        names.extend(builder::DRIVER);
-    }
-    let names = written::names_with_other_object(names, axis.of_another);
+    let names = names(on, axis);
     let of = |expression| {
         LoadLawSpec::Written(WrittenSpec {
             expression,
@@ -47,6 +43,15 @@ pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
             |slot| read_indicator(slot, axis.measures),
         );
     }
+}
+
+/// The names that an expression of a load may use.
+pub(super) fn names(on: On, axis: Axis) -> Vec<(&'static str, usize)> {
+    let mut names = builder::OWN.to_vec();
+    if !matches!(on, On::Rotor(_)) {
+        names.extend(builder::DRIVER);
+    }
+    written::names_with_other_object(names, axis.of_another)
 }
 
 /// mean + amplitude·sin(2π·frequency·t + phase), or of order·φ of the axis.

@@ -140,9 +140,13 @@ impl OneLoad<'_> {
                 Expr::sum([vec![Expr::Number(own.force)], parts.to_vec()].concat())
             }),
             LoadLaw::Stop(stop) => return self.add_stop(*stop, phi, section),
-            LoadLaw::Dry(friction) => {
+            LoadLaw::Dry {
+                friction,
+                engagement,
+            } => {
                 let speed = self.sliding_speed(rate, section);
-                self.dry_friction(friction, speed, section)
+                let law = self.dry_friction(friction, speed, section);
+                self.engaged(engagement.as_ref(), law, section)
             }
             LoadLaw::Function { function, .. } => self
                 .declared([phi, rate], section)
@@ -233,6 +237,17 @@ impl OneLoad<'_> {
         let speed = self.letter("w");
         section.line(speed.clone(), own.expr().minus(other), "sliding speed");
         speed
+    }
+
+    /// A friction times what it is engaged by.
+    fn engaged(&self, by: Option<&WrittenLoad>, law: Expr, section: &mut Section) -> Expr {
+        let Some(written) = by else {
+            return law;
+        };
+        let engaged = self.letter("u");
+        let text = Expr::Words(format!("max(0, {})", written.expression.text()));
+        section.line(engaged.clone(), text, "engagement".to_owned());
+        engaged.expr().times(law)
     }
 
     /// Dry friction: against what slides, and whatever holds what rests.
@@ -408,7 +423,16 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
             stop_words(stop, coordinate),
             contact_summary(stop.law, stop.stiffness, coordinate)
         ),
-        LoadLaw::Dry(friction) => dry_words(friction, coordinate),
+        LoadLaw::Dry {
+            friction,
+            engagement,
+        } => {
+            let mut words = dry_words(friction, coordinate);
+            if let Some(written) = engagement {
+                words += &format!(", engaged by {}", written.expression.text());
+            }
+            words
+        }
         LoadLaw::Function { function, .. } => function.description(),
         LoadLaw::Written(written) => format!("expression: {}", written.expression.text()),
     }

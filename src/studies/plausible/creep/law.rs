@@ -126,7 +126,7 @@ fn friction(law: &LoadLaw, node: NodeIndex) -> Vec<Friction<'_>> {
         },
         LoadLaw::Written(load) => frictions_of_expression(load, node),
         // (Dry friction sticks and does not creep.)
-        LoadLaw::Linear(_) | LoadLaw::Pieces { .. } | LoadLaw::Stop(_) | LoadLaw::Dry(_) => {
+        LoadLaw::Linear(_) | LoadLaw::Pieces { .. } | LoadLaw::Stop(_) | LoadLaw::Dry { .. } => {
             Vec::new()
         }
     }
