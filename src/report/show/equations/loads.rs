@@ -145,8 +145,8 @@ impl OneLoad<'_> {
                 engagement,
             } => {
                 let speed = self.sliding_speed(rate, section);
-                let law = self.dry_friction(friction, speed, section);
-                self.engaged(engagement.as_ref(), law, section)
+                self.engagement(engagement.as_ref(), section);
+                self.dry_friction(friction, speed, section)
             }
             LoadLaw::Function { function, .. } => self
                 .declared([phi, rate], section)
@@ -239,15 +239,13 @@ impl OneLoad<'_> {
         speed
     }
 
-    /// A friction times what it is engaged by.
-    fn engaged(&self, by: Option<&WrittenLoad>, law: Expr, section: &mut Section) -> Expr {
-        let Some(written) = by else {
-            return law;
-        };
-        let engaged = self.letter("u");
-        let text = Expr::Words(format!("max(0, {})", written.expression.text()));
-        section.line(engaged.clone(), text, "engagement".to_owned());
-        engaged.expr().times(law)
+    /// What a friction is engaged by.
+    fn engagement(&self, by: Option<&WrittenLoad>, section: &mut Section) {
+        if let Some(written) = by {
+            let text = Expr::Words(format!("max(0, {})", written.expression.text()));
+            let meaning = "engagement, a factor on R and S";
+            section.line(self.letter("u"), text, meaning.to_owned());
+        }
     }
 
     /// Dry friction: against what slides, and whatever holds what rests.
