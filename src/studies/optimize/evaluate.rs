@@ -78,6 +78,10 @@ impl OptimizationTask<'_> {
     }
 
     fn figures_with(&self, at: &[f64], exact: Option<&Exact>) -> Result<Vec<f64>, String> {
+        // (A scene may take long before its run listens.)
+        if self.control.is_spent() {
+            return Err(ENDED.to_owned());
+        }
         let values = self.values_of(at);
         let mut found = vec![f64::NAN; self.figures.len()];
         if self.figures.iter().any(|one| one.index.is_some()) {
