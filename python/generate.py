@@ -63,6 +63,12 @@ OTHERS: dict[str, dict[str, Any]] = {
     },
     "From": {"line": {"width": "12 mm", "load": "1 kN", "modulus": "206 GPa"}},
     "Harmonic": {"amplitude": "5 N m", "order": 2},
+    "Identify": {
+        "record": ["released_wheel.csv"],
+        "match": ["deflection=wheel.delta"],
+        "vary": ["wheel.stiffness=5:12 kN m/rad"],
+        "sigma": ["deflection=20 µrad"],
+    },
     "LiftCam": {
         "lift": "4 mm", "rise": "90 deg", "dwell": "60 deg", "return": "90 deg", "law": "cycloidal"
     },
@@ -79,6 +85,10 @@ OTHERS: dict[str, dict[str, Any]] = {
     "RunLaw": {"trapezoid": {"s1": 0.25, "s2": 0.25}},
     "Scca": {"b": 0.25, "d": 0.5},
     "SlottedLink": {"crank": "80 mm", "frame": "200 mm"},
+    "Tolerance": {
+        "tol": ["rocker.inertia=±1 %", "rocker.pair.gap=±0.02 mm uniform"],
+        "limit": ["rocker.delta_max <= 0.2 mrad"],
+    },
     "Torsion": {"pair": "O", "rate": "20 N m/rad", "free_angle": "30 deg"},
     "Trapezoid": {"s1": 0.25, "s2": 0.25},
 }

@@ -1207,6 +1207,9 @@ class Friction(Tree):
 
     Parameters
     ----------
+    engagement
+        With `sliding`: factor on all its forces, 0 where it is below: an expression as of a
+        load, "t < 0.2 ? 0 : 1", by which a clutch or a brake is pressed
     force
         Force of friction that is regularised over a `width`: it creeps (moment in N m, kN
         m, N mm, lbf ft or lbf in; or force in N, kN, MN, lbf or kgf)
@@ -1227,9 +1230,9 @@ class Friction(Tree):
 
     Examples
     --------
-    >>> friction = kinds.Friction(sliding="60 N m")
+    >>> friction = kinds.Friction(sliding="4 N", static="5 N")
     >>> friction.sliding
-    '60 N m'
+    '4 N'
     """
 
     __slots__ = ()
@@ -1237,6 +1240,7 @@ class Friction(Tree):
     def __init__(
         self,
         *,
+        engagement: str | None = None,
         force: Quantity | None = None,
         sliding: Quantity | None = None,
         static: Quantity | None = None,
@@ -1244,6 +1248,7 @@ class Friction(Tree):
         width: Quantity | None = None,
     ) -> None:
         super().__init__(
+            ("engagement", engagement),
             ("force", force),
             ("sliding", sliding),
             ("static", static),
@@ -1512,6 +1517,15 @@ class Identify(Tree):
         Number of starts (8).
     until
         Up to where records are used; to their end if not given.
+
+    Examples
+    --------
+    >>> identify = kinds.Identify(
+    ...     record=["released_wheel.csv"],
+    ...     match=["deflection=wheel.delta"],
+    ...     vary=["wheel.stiffness=5:12 kN m/rad"],
+    ...     sigma=["deflection=20 µrad"],
+    ... )
     """
 
     __slots__ = ()
@@ -4909,6 +4923,13 @@ class Tolerance(Tree):
         Number of samples (4096); 0 for the stack alone.
     seed
         Seed of the samples (1).
+
+    Examples
+    --------
+    >>> tolerance = kinds.Tolerance(
+    ...     tol=["rocker.inertia=±1 %", "rocker.pair.gap=±0.02 mm uniform"],
+    ...     limit=["rocker.delta_max <= 0.2 mrad"],
+    ... )
     """
 
     __slots__ = ()

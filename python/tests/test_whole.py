@@ -169,7 +169,7 @@ def test_time_is_limited(rocker: Scene) -> None:
     long = rocker.set("run.duration", 5000.0).set("run.method", "dop853")
     run = long.run(time_limit=0.2)
     assert run.verdict is not None and run.verdict.sort == "unfinished"
-    assert "the time limit of 0.2 s was reached" in run.verdict.text
+    assert "time limit of 0.2 s was reached" in run.verdict.text
     told = run.document["run"]
     assert isinstance(told, dict) and told["stopped"] == "wall_clock"
     with pytest.raises(dam.TimeLimitError, match="time limit of 0.2 s"):

@@ -53,8 +53,8 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, names: &Names) -> Option<LoadL
         });
         let doc = "With `force`: speed at which 76 % of the force is reached";
         let width = fields.maybe(width.key, doc, |slot| read_number(slot, width, own));
-        let doc = "With `sliding`: factor on all its forces, 0 where it is below: an expression as \
-                   of a load, \"t < 0.2 ? 0 : 1\", by which a clutch or a brake is pressed";
+        let doc = "With `sliding`: factor by which a clutch or a brake is pressed, 0 where it is \
+                   below. An expression as of a load, \"t < 0.2 ? 0 : 1\"";
         let engagement = fields.maybe("engagement", doc, |slot| {
             written::read_expression(slot, names)
         });
