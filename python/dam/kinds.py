@@ -1208,8 +1208,8 @@ class Friction(Tree):
     Parameters
     ----------
     engagement
-        With `sliding`: factor on all its forces, 0 where it is below: an expression as of a
-        load, "t < 0.2 ? 0 : 1", by which a clutch or a brake is pressed
+        With `sliding`: factor by which a clutch or a brake is pressed, 0 where it is below.
+        An expression as of a load, "t < 0.2 ? 0 : 1"
     force
         Force of friction that is regularised over a `width`: it creeps (moment in N m, kN
         m, N mm, lbf ft or lbf in; or force in N, kN, MN, lbf or kgf)
