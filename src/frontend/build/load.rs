@@ -26,7 +26,14 @@ impl Load {
         ("weight", &["inclination"]),
         (
             "friction",
-            &["force", "width", "sliding", "static", "stribeck_speed"],
+            &[
+                "force",
+                "width",
+                "sliding",
+                "static",
+                "stribeck_speed",
+                "engagement",
+            ],
         ),
         ("expression", &[]),
         (
