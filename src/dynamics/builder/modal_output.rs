@@ -57,12 +57,10 @@ pub(super) fn load(
     let known = |load: &Load| {
         let of_nothing = |written: &WrittenLoad| written.nodes().next().is_none();
         let given = load.law.pieces().is_some()
-            || (load
-                .law
-                .expression_load()
-                .filter(|_| load.law.dry_friction().is_none()))
-            .is_some_and(of_nothing)
+            || load.law.expression_load().is_some_and(of_nothing)
             || load.law.as_constant().is_some();
+        // (Friction answers to the motion, whatever it is engaged by.)
+        let given = given && load.law.dry_friction().is_none();
         given && load.node == output
     };
     let Some(load) = into.model.loads.pop_if(|load| known(load)) else {
