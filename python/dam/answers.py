@@ -1347,8 +1347,9 @@ class Identification(_Answered):
         found: dict[str, tuple[float, float] | None] = {}
         for row in rows:
             value, error = row["value"], row["standard_error"]
-            is_known = row["determined"] and value is not None and error is not None
-            found[row["path"]] = (value, error) if is_known else None
+            found[row["path"]] = None
+            if row["determined"] and value is not None and error is not None:
+                found[row["path"]] = (value, error)
         return found
 
     @property
